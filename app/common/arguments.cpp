@@ -43,32 +43,43 @@ std::string commandBeingRead(const CLI::App& app)
     return &command == &app ? app.get_name() : app.get_name() + " " + command.get_name();
 }
 
-/// The first of the arguments that nothing takes.
-std::string unexpectedArgument(const CLI::App& app)
+/// The first of the arguments that nothing takes. An option that the command knows is among them
+/// only in front of the command, and behind --, where it is none.
+std::string unexpectedArgument(const CLI::App& app, const std::vector<std::string>& words)
 {
+    constexpr std::string_view mark = "--";
     const std::vector<std::string> rest = app.remaining(true);
-    const std::string argument = rest.empty() ? std::string() : rest.front();
-    if (!argument.starts_with("--"))
-        return "nothing takes the argument " + argument;
+    const auto first = std::ranges::find_if(rest, [&](const auto& word) { return word != mark; });
+    const std::string argument = first == rest.end() ? std::string(mark) : *first;
     const std::string option = argument.substr(0, argument.find('='));
+    const CLI::App& command = readCommand(app);
     std::vector<std::string> known;
-    for (const CLI::Option* const one : readCommand(app).get_options())
+    for (const CLI::Option* const one : command.get_options())
         for (const std::string& name : one->get_lnames())
             known.push_back("--" + name);
+    const bool isKnown = std::ranges::find(known, option) != known.end();
+    const auto end = std::ranges::find(words, mark);
+    const auto last = isKnown ? std::find(words.begin(), end, command.get_name()) : end;
+    if (!argument.starts_with(mark) || std::find(words.begin(), last, argument) == last)
+        return "nothing takes the argument " + argument;
+    if (isKnown)
+        return option + " is an option of " + command.get_name() + ": give it behind "
+            + command.get_name();
     const auto nearest = std::ranges::min_element(
         known, {}, [&](const std::string& name) { return editDistance(option, name); });
     return "there is no option " + option
         + (nearest == known.end() ? std::string() : "; the nearest is " + *nearest);
 }
 
-std::string readableReason(const CLI::App& app, const CLI::ParseError& error)
+std::string readableReason(
+    const CLI::App& app, const std::vector<std::string>& words, const CLI::ParseError& error)
 {
     if (error.get_name() == "RequiredError" && commandBeingRead(app) == app.get_name()) {
         const std::vector<std::string> rest = app.remaining();
         return rest.empty() ? "the command is missing" : "there is no command " + rest.front();
     }
     if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::ExtrasError))
-        return unexpectedArgument(app);
+        return unexpectedArgument(app, words);
     std::string text = error.what();
     // "--dims: 7 not in {1,2,3}"
     if (const auto place = text.find(" not in {"); place != std::string::npos)
@@ -157,6 +168,7 @@ Result<bool> parseArguments(CLI::App& app, int argc, char** argv, Console& conso
 {
     const auto words = std::span<char* const>(argv, static_cast<std::size_t>(argc)).subspan(1);
     std::vector<std::string> reversed = reversedWords(words);
+    const std::vector<std::string> asked(reversed.rbegin(), reversed.rend());
     for (char* const word : words)
         hidePassword(word, word);
     AXISCOMP_CHECK(checkValues(app, words));
@@ -170,7 +182,7 @@ Result<bool> parseArguments(CLI::App& app, int argc, char** argv, Console& conso
         console.print(std::string(version.what()) + "\n");
         return false;
     } catch (const CLI::ParseError& error) {
-        return wrongUsage(readableReason(app, error), commandBeingRead(app));
+        return wrongUsage(readableReason(app, asked, error), commandBeingRead(app));
     }
     return true;
 }

@@ -34,7 +34,7 @@ bool isOfTheGrid(const Diagnostic& diagnostic, int dimensions)
     }
 }
 
-/// Two columns of a file may have one name, but a table is chosen by its.
+/// Two columns of a file may have one name, but a table of many is found by its.
 std::string distinctName(std::set<std::string>& taken, const std::string& wanted)
 {
     std::string name = wanted;
@@ -51,15 +51,15 @@ std::vector<TableName> namesOfTables(const std::vector<CompensationTable>& table
     return names;
 }
 
+/// As they stand: a name of several is for chooseTable() to refuse.
 std::vector<TableName> namesOfColumns(const std::vector<NeutralTable>& columns)
 {
     std::vector<TableName> names;
-    std::set<std::string> taken;
     for (const NeutralTable& table : columns) {
         const CompensationColumn& column = table.columns.front();
         const std::string& inFile = column.name.empty() ? table.name : column.name;
-        names.push_back({distinctName(taken, nameOfTable(table, 0)),
-            inFile.empty() ? columnText(table, column).english() : inFile});
+        names.push_back(
+            {nameOfTable(table, 0), inFile.empty() ? columnText(table, column).english() : inFile});
     }
     return names;
 }

@@ -78,11 +78,47 @@ void complete(NeutralTable& table, MissingPoints missing, DiagnosticList& diagno
     }
 }
 
+constexpr std::string_view rotaryAxesKey = "rotary-axes";
+
+/// "C", "B2": what turns by ISO 841.
+bool isRotaryByName(std::string_view axis)
+{
+    constexpr std::string_view letters = "ABCabc";
+    return !axis.empty() && letters.find(axis.front()) != std::string_view::npos
+        && std::ranges::all_of(axis.substr(1), [](char c) { return c >= '0' && c <= '9'; });
+}
+
+/// Where a file does not say which axes turn, those that nobody names are taken to be in mm.
+void warnOfLinearAxes(
+    const FormatFacts& facts, const std::vector<NeutralTable>& tables, DiagnosticList& diagnostics)
+{
+    if (std::ranges::find(facts.settings, rotaryAxesKey, &FormatSetting::key)
+        == facts.settings.end())
+        return;
+    std::set<std::string> linear;
+    const auto add = [&linear](const std::string& axis, const std::string& unit) {
+        if (unit == "mm" && isRotaryByName(axis))
+            linear.insert(axis);
+    };
+    for (const NeutralTable& table : tables) {
+        for (const SourceAxis& axis : table.axes)
+            add(axis.name, axis.unit);
+        for (const CompensationColumn& column : table.columns)
+            add(targetName(table, column), column.unit);
+    }
+    for (const std::string& axis : linear)
+        diagnostics.warning(DiagnosticCode::Assumption, 0, 0,
+            AXISCOMP_TEXT("Error", "axis {axis}, whose numbers are taken to be in mm")
+                .with("axis", axis),
+            AXISCOMP_TEXT("Error", "the setting {key} where the axis is rotary")
+                .with("key", Verbatim{std::string(rotaryAxesKey)}));
+}
+
 /// A setting that names the rotary axes of a file means none where it names no axis of it.
 void checkRotaryAxes(const std::vector<NeutralTable>& tables, const SettingValues& settings,
     DiagnosticList& diagnostics)
 {
-    constexpr std::string_view key = "rotary-axes";
+    constexpr std::string_view key = rotaryAxesKey;
     const std::string given = settings.text(key);
     std::vector<Token> rotary;
     splitTokens({given, 0, 0}, ", ", rotary);
@@ -151,6 +187,7 @@ Result<TableReading> readText(const FormatFacts& facts, std::string_view text,
         for (NeutralTable& table : reading.tables)
             dropSignsOfZeros(table);
         checkRotaryAxes(reading.tables, settings, diagnostics);
+        warnOfLinearAxes(facts, reading.tables, diagnostics);
         if (!diagnostics.hasErrors() && options.missing != MissingPoints::Refuse)
             for (NeutralTable& table : reading.tables)
                 complete(table, options.missing, diagnostics);

@@ -164,7 +164,7 @@ public:
         wrong(*node,
             text
                 ? AXISCOMP_TEXT("Problem", "a text that is not empty and has no control characters")
-                : AXISCOMP_TEXT("Problem", "a text in quotation marks"));
+                : AXISCOMP_TEXT("Problem", "a text, which stands in quotation marks in the file"));
         return std::nullopt;
     }
     [[nodiscard]] std::string text(std::string_view key)
@@ -253,6 +253,22 @@ private:
     DiagnosticList& m_problems;
     std::vector<std::string_view> m_known;
 };
+
+/// The name of an axis, or a source by its number: of a number alone nobody knows which it is.
+std::string targetOf(Entries& entries)
+{
+    const toml::node* node = entries.find("target");
+    const auto number = node ? node->value_exact<std::int64_t>() : std::nullopt;
+    if (!number)
+        return entries.textOf(node).value_or(std::string());
+    entries.wrong(*node,
+        AXISCOMP_TEXT("Problem",
+            "a text, which stands in quotation marks in the file: {source} for the first source, "
+            "{name} for an axis of that name")
+            .with("source", Verbatim{"\"#1\""})
+            .with("name", Verbatim{'"' + std::to_string(*number) + '"'}));
+    return {};
+}
 
 class MachineReader {
 public:
@@ -430,7 +446,7 @@ void MachineReader::readChoices(Entries& entries, MachineAxis& axis)
     if (const std::string name = entries.choice("format", formats); !name.empty())
         if (const auto format = formatNamed(name))
             axis.choices.format = *format;
-    axis.choices.target = entries.text("target");
+    axis.choices.target = targetOf(entries);
     if (const std::string sign = entries.choice("sign", signs); !sign.empty())
         axis.choices.sign = sign == signs[0] ? SignConvention::Feedback : SignConvention::Command;
     if (const std::string direction = entries.choice("direction", directions); !direction.empty())

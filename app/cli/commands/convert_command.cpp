@@ -6,7 +6,6 @@
 #include "app/cli/output/output_file.h"
 #include "app/common/arguments.h"
 #include "app/common/number_text.h"
-#include "core/conversion/unheld_notes.h"
 #include "core/formats/formats.h"
 #include "core/formats/triamec/triamec_tables.h"
 #include "core/io/local_file.h"
@@ -123,9 +122,7 @@ Result<Bytes> encodeTable(Environment& environment, const ConvertOptions& option
 /// A .TAMtbl has room for the numbers alone: what would be checked of a calibration file is not.
 Result<void> noteWhatIsNotHeld(Environment& environment, const CalibrationData& data)
 {
-    AXISCOMP_TRY(const auto unheld, unheldNotes(tam_table::format().facts, data.notes));
-    for (const Text& remark : unheld)
-        environment.console().note("note: " + remark.english());
+    AXISCOMP_CHECK(noteUnheld(environment, "note", data.notes));
     const std::string& target = data.tables.front().target;
     if (!target.empty())
         environment.console().note(

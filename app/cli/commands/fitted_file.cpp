@@ -2,7 +2,6 @@
 #include "app/cli/commands/fitted_file.h"
 
 #include "app/common/arguments.h"
-#include "core/conversion/unheld_notes.h"
 #include "core/csv/calibration_csv.h"
 #include "core/formats/formats.h"
 #include "core/formats/triamec/triamec_tables.h"
@@ -109,9 +108,7 @@ Result<Bytes> tableBytes(Environment& environment, const FittedFileOptions& opti
             return fail(ErrorCode::LargeCorrection, {{"reason", large}});
         environment.warn(large.english());
     }
-    AXISCOMP_TRY(const auto unheld, unheldNotes(tam_table::format().facts, data.notes));
-    for (const Text& remark : unheld)
-        environment.console().note(options.output.file + ": " + remark.english());
+    AXISCOMP_CHECK(noteUnheld(environment, options.output.file, data.notes));
     return encodeTamTable(table, false, profile.layout);
 }
 

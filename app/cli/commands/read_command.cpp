@@ -8,7 +8,6 @@
 #include "app/common/arguments.h"
 #include "app/common/number_text.h"
 #include "core/compensator/table_of_axis.h"
-#include "core/conversion/unheld_notes.h"
 #include "core/csv/calibration_csv.h"
 #include "core/drive/axis_target.h"
 #include "core/formats/formats.h"
@@ -39,10 +38,7 @@ Result<ReadTable> readAsTamTable(Environment& environment, CommandSession& sessi
     const AxisStatus& status, const std::string& output)
 {
     AXISCOMP_TRY(auto held, session.compensator().readHeldTable(status, session.operation()));
-    AXISCOMP_TRY(const auto unheld,
-        unheldNotes(tam_table::format().facts, lookupNotes(status, session.profile())));
-    for (const Text& remark : unheld)
-        environment.console().note(output + ": " + remark.english());
+    AXISCOMP_CHECK(noteUnheld(environment, output, lookupNotes(status, session.profile())));
     return ReadTable{std::move(held.table), std::move(held.file)};
 }
 

@@ -4,6 +4,7 @@
 #include "app/common/arguments.h"
 #include "app/common/number_checks.h"
 #include "core/conversion/lookup_sides.h"
+#include "core/conversion/unheld_notes.h"
 #include "core/formats/formats.h"
 #include "core/formats/triamec/triamec_tables.h"
 #include "core/neutral/drive_note.h"
@@ -335,6 +336,15 @@ void noteReport(Environment& environment, const std::vector<std::string>& report
 {
     for (const std::string& line : report)
         environment.console().note(line);
+}
+
+Result<void> noteUnheld(
+    Environment& environment, std::string_view before, std::span<const std::string> notes)
+{
+    AXISCOMP_TRY(const auto unheld, unheldNotes(tam_table::format().facts, notes));
+    for (const Text& remark : unheld)
+        environment.console().note(std::string(before) + ": " + remark.english());
+    return {};
 }
 
 } // namespace axiscomp::app

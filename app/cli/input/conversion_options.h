@@ -9,7 +9,9 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace axiscomp::app {
@@ -79,5 +81,9 @@ struct DriveTable {
 [[nodiscard]] Result<DriveTable> driveTable(const TableInput& input,
     const TableInputOptions& inputOptions, const ConversionOptions& options);
 void noteReport(Environment& environment, const std::vector<std::string>& report);
+/// Of a .TAMtbl that is written as it is: what its notes state and such a file does not
+/// (core/conversion/unheld_notes.h). before: each of them, such as the name of the file.
+[[nodiscard]] Result<void> noteUnheld(
+    Environment& environment, std::string_view before, std::span<const std::string> notes);
 
 } // namespace axiscomp::app

@@ -119,6 +119,22 @@ Result<const TableFormat*> recognisedFormat(
     return choice->format;
 }
 
+/// Options for incomplete grids that do nothing to a file of the format. Where numbers are expected
+/// to change and would not, it is refused.
+Result<void> checkIncompleteGridOptions(
+    Environment& environment, const TableInputOptions& options, const TableFormat& format)
+{
+    const std::string name(format.facts.name);
+    if (options.snap != 0.0 && &format != &calibration_csv::format())
+        return wrongUsage("--snap takes positions of a calibration file for those of a grid, and "
+                + displayName(options.file) + " is read as " + name + ": leave it out",
+            options.command);
+    if ((options.crops || !options.fill.empty()) && !format.facts.marksMissing)
+        environment.warn(displayName(options.file) + ": " + (options.crops ? "--crop" : "--fill")
+            + " does nothing: a file of the format " + name + " has a value for each point");
+    return {};
+}
+
 /// The number of dimensions is the user's to choose, but when only one fits it can be named.
 Result<CsvReading> refuseWithoutDimensions(Environment& environment,
     const TableInputOptions& options, const StatedUnits& units, const Piped& text)
@@ -328,6 +344,7 @@ Result<TableInput> inspectInput(Environment& environment, const TableInputOption
     AXISCOMP_TRY(
         const auto settings, withStatedUnits(format->facts, std::move(given), options.units));
     AXISCOMP_CHECK(SettingValues::of(format->facts, settings, false));
+    AXISCOMP_CHECK(checkIncompleteGridOptions(environment, options, *format));
     if (!isTriamec(*format))
         return inspectOther(environment, *format, options, settings, piped);
     return format == &calibration_csv::format() ? inspectCsv(environment, options, settings, piped)

@@ -295,7 +295,6 @@ std::vector<NeutralTable> MapReader::tables()
     if (!m_program.read(m_source, notes))
         return {};
     takeMaps();
-    m_program.warnOfSecondNumbers({Call::Kind::ErrorMap, Call::Kind::Map}, m_diagnostics);
     warnOfOthers();
     if (m_maps.empty() && !m_diagnostics.hasErrors())
         m_diagnostics.error(DiagnosticCode::Syntax, 0, 0, {},
@@ -304,9 +303,17 @@ std::vector<NeutralTable> MapReader::tables()
     checkSwitchedOn();
     checkSwitchedOff();
     std::vector<NeutralTable> tables;
-    for (const Map& map : m_maps)
-        if (auto table = tableOf(map))
-            tables.push_back(std::move(*table));
+    std::vector<const Call*> taken;
+    for (std::size_t n = 0; n < m_maps.size(); ++n) {
+        auto table = tableOf(m_maps[n]);
+        if (!table)
+            continue;
+        tables.push_back(std::move(*table));
+        for (const auto& [index, use] : m_uses)
+            if (index == n)
+                taken.push_back(use.call);
+    }
+    m_program.warnOfSecondNumbers(taken, m_diagnostics);
     if (!tables.empty())
         tables.front().notes = std::move(notes);
     return tables;

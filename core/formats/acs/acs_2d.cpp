@@ -182,6 +182,7 @@ std::vector<NeutralTable> MapReader::tables()
     if (!m_program.read(m_source, notes))
         return {};
     std::vector<NeutralTable> tables;
+    std::vector<const Call*> taken;
     std::map<std::string, std::size_t> firstLines; // of each target
     bool hasOwn = false;
     for (const Call& call : m_program.calls()) {
@@ -191,7 +192,10 @@ std::vector<NeutralTable> MapReader::tables()
             continue;
         hasOwn = true;
         auto table = tableOf(call);
-        if (!table || std::ranges::find(tables, *table) != tables.end())
+        if (!table)
+            continue;
+        taken.push_back(&call);
+        if (std::ranges::find(tables, *table) != tables.end())
             continue;
         const std::string& target = table->columns.front().target;
         const auto [first, isFirst] = firstLines.emplace(target, call.statement.line);
@@ -200,7 +204,7 @@ std::vector<NeutralTable> MapReader::tables()
         tables.push_back(std::move(*table));
         warnOfEnd(call);
     }
-    m_program.warnOfSecondNumbers({Call::Kind::Map2}, m_diagnostics);
+    m_program.warnOfSecondNumbers(taken, m_diagnostics);
     warnOfOthers(hasOwn);
     if (!hasOwn && !m_diagnostics.hasErrors())
         m_diagnostics.error(DiagnosticCode::Syntax, 0, 0, {},

@@ -596,21 +596,16 @@ const Program::Assigned* Program::valueBefore(
 }
 
 void Program::warnOfSecondNumbers(
-    std::initializer_list<Call::Kind> kinds, DiagnosticList& diagnostics) const
+    std::span<const Call* const> maps, DiagnosticList& diagnostics) const
 {
-    DiagnosticList ignored(0);
     const auto isOfElement = [](const Assigned& assigned) { return assigned.indices > 0; };
     std::set<const Assigned*> named;
-    for (const Call& call : m_calls) {
-        if (std::ranges::find(kinds, call.kind) == kinds.end())
-            continue;
-        for (const Token& argument : call.arguments) {
+    for (const Call* const call : maps) {
+        for (const Token& argument : call->arguments) {
             const Token position = axisOfPosition(argument);
             const Token& name = position ? position : argument;
             const bool isArray = std::ranges::any_of(variableOf(name.text).assigned, isOfElement);
-            if (isArray || !valueBefore(call, name, ignored))
-                continue; // another error, or no name
-            const Assigned* const again = knownAt(call, name).again;
+            const Assigned* const again = isArray ? nullptr : knownAt(*call, name).again;
             if (!again || !named.insert(again).second)
                 continue;
             diagnostics.warning(DiagnosticCode::DuplicateValue, again->text.line,

@@ -10,6 +10,7 @@
 #include <functional>
 #include <initializer_list>
 #include <map>
+#include <span>
 
 namespace axiscomp::acs {
 
@@ -70,9 +71,9 @@ public:
     [[nodiscard]] const Call* endOf(const std::function<bool(const Call&)>& begins,
         const std::function<bool(const Call&)>& ends) const;
 
-    /// Warns of names that get two numbers for one map of these kinds.
-    void warnOfSecondNumbers(
-        std::initializer_list<Call::Kind> kinds, DiagnosticList& diagnostics) const;
+    /// Warns of names that get two numbers for one of these maps, which are read: of the names of
+    /// others nobody knows yet what counts.
+    void warnOfSecondNumbers(std::span<const Call* const> maps, DiagnosticList& diagnostics) const;
 
     /// Whether the name of an array is the same array at both calls, not one in each of two
     /// buffers.

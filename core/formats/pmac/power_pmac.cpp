@@ -42,7 +42,9 @@ constexpr std::array<std::string_view, 6> rules{
     "or "
     "lower case.",
     "Source[0] is the number of the motor whose position counts, Target[0] and Target[1] are the "
-    "compensations CompPos and CompPos2 of the motor that is corrected.",
+    "compensations CompPos and CompPos2 of the motor that is corrected. A table for one of them "
+    "alone "
+    "is read with a warning; both are written.",
     "Nx[0] is the number of segments, one less than the values; X0[0] is the first position, Dx[0] "
     "the whole span.",
     "Data[0] is a list of values, and Data[i] goes on with it from value i.",
@@ -291,11 +293,14 @@ std::optional<std::int64_t> Reader::whole(
     return std::nullopt;
 }
 
-/// "Motor[1].CompPos.a": both feedback loops of one motor.
+/// "Motor[1].CompPos.a": both feedback loops of one motor, or one of them with a warning.
 std::optional<std::string> Reader::targetMotor(const Definition& definition)
 {
     constexpr std::string_view motorPrefix = "motor[";
     std::optional<std::string> motor;
+    const Token* only = nullptr;
+    bool hasFirst = false;
+    bool hasSecond = false;
     for (const std::string_view key : {"target[0]", "target[1]"}) {
         const auto found = definition.elements.find(key);
         if (found == definition.elements.end())
@@ -305,9 +310,9 @@ std::optional<std::string> Reader::targetMotor(const Definition& definition)
             ? indexAt({std::string_view(text).substr(motorPrefix.size()), 0, 0})
             : std::nullopt;
         const std::string_view element = index ? index->rest.text : std::string_view();
-        const bool isPosition = element == ".comppos" || element == ".comppos.a"
-            || element == ".comppos2" || element == ".comppos2.a";
-        if (!isPosition || (motor && *motor != std::to_string(index->number))) {
+        const bool isFirst = element == ".comppos" || element == ".comppos.a";
+        const bool isSecond = element == ".comppos2" || element == ".comppos2.a";
+        if ((!isFirst && !isSecond) || (motor && *motor != std::to_string(index->number))) {
             m_diagnostics.error(DiagnosticCode::Contradiction, found->second.line,
                 found->second.column, quoted(found->second),
                 AXISCOMP_TEXT("Error", "CompPos or CompPos2 of one motor, such as {example}")
@@ -315,7 +320,17 @@ std::optional<std::string> Reader::targetMotor(const Definition& definition)
             return std::nullopt;
         }
         motor = std::to_string(index->number);
+        only = &found->second;
+        hasFirst = hasFirst || isFirst;
+        hasSecond = hasSecond || isSecond;
     }
+    if (only && hasFirst != hasSecond)
+        m_diagnostics.warning(DiagnosticCode::Assumption, only->line, only->column,
+            AXISCOMP_TEXT("Error", "a table for {element} alone")
+                .with("element", Verbatim{hasFirst ? "CompPos" : "CompPos2"}),
+            AXISCOMP_TEXT("Error",
+                "CompPos and CompPos2 of the motor; the table is taken for both, and written for "
+                "both"));
     if (!motor)
         m_diagnostics.error(DiagnosticCode::Syntax, definition.line, 0, {},
             AXISCOMP_TEXT("Error", "{element} of the table: {meaning}")

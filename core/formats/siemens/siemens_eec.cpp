@@ -207,12 +207,22 @@ Recognition recognise(std::string_view text)
     return siemens::recogniseProgram(text, prefix, otherPrefix);
 }
 
-/// The measuring system that a table was read for, which its name says.
-std::string encoderOf(const NeutralTable& table, const SettingValues& given)
+/// The measuring system that a table was read for, which its name says; not that of a table that
+/// was in another file meanwhile.
+std::string encoderOf(const NeutralTable& table, const std::string& axis,
+    const SettingValues& given, std::vector<Text>& remarks)
 {
     if (given.has("encoder"))
         return given.text("encoder");
-    return table.name.ends_with(std::string(encoderWords) + '1') ? "1" : "0";
+    for (const char* encoder : {"0", "1"})
+        if (table.name.ends_with(std::string(encoderWords) + encoder))
+            return encoder;
+    remarks.push_back(AXISCOMP_TEXT("Error",
+        "nothing says for which measuring system of axis {axis} the table is: it is written for 0; "
+        "the setting {key} states another one")
+                          .with("axis", axis)
+                          .with("key", std::string_view("encoder")));
+    return "0";
 }
 
 /// The lines of one table; axis: its name in the program.
@@ -257,7 +267,7 @@ Result<WrittenTables> write(std::span<const NeutralTable> tables, const TableWri
     for (const NeutralTable& table : tables) {
         AXISCOMP_TRY(const auto axis,
             siemens::axisName(format.facts, given, "axis", table.axes.front().name));
-        const std::string encoder = encoderOf(table, given);
+        const std::string encoder = encoderOf(table, axis, given, written.remarks);
         if (!owners.insert(encoder + ',' + axis).second)
             return cannotHold(format.facts,
                 AXISCOMP_TEXT("Error", "there are two tables for axis {axis}").with("axis", axis),

@@ -329,6 +329,37 @@ private Q_SLOTS:
         QCOMPARE(filledWith({"--points", "7"}), QByteArray("[[],[]]"));
     }
 
+    void anOptionThatDoesNothingToAFileIsRefusedOrSaid()
+    {
+        const Sandbox box;
+        box.file("x.mpf",
+            "$AA_ENC_COMP[0,0,X1]=0\n$AA_ENC_COMP[0,1,X1]=0.001\n$AA_ENC_COMP_STEP[0,X1]=10\n"
+            "$AA_ENC_COMP_MIN[0,X1]=0\n$AA_ENC_COMP_MAX[0,X1]=10\nM17\n");
+        box.file("grid.csv", "X [mm],a [um]\n0,1\n10,2\n20,3\n");
+        const auto run = [&](const char* file, const QStringList& options) {
+            return box.run(QStringList{"inspect", file} + options);
+        };
+        const ProgramRun snapped = run("x.mpf", {"--snap", "0.001"});
+        VERIFY_CODE(snapped, 2);
+        QVERIFY2(snapped.err.contains("InvalidArgument: --snap takes positions of a calibration "
+                                      "file for those of a grid, and x.mpf is read as siemens-eec"),
+            snapped.err.constData());
+        const ProgramRun filled = run("x.mpf", {"--fill", "nearest"});
+        VERIFY_CODE(filled, 0);
+        QVERIFY2(filled.err.contains("warning: x.mpf: --fill does nothing: a file of the format "
+                                     "siemens-eec has a value for each point\n"),
+            filled.err.constData());
+        const ProgramRun cropped = run("x.mpf", {"--crop"});
+        VERIFY_CODE(cropped, 0);
+        QVERIFY2(cropped.err.contains("--crop does nothing"), cropped.err.constData());
+        for (const QStringList& options : {QStringList{"--snap", "0.001"},
+                 QStringList{"--fill", "plane"}, QStringList{"--crop"}}) {
+            const ProgramRun own = run("grid.csv", QStringList{"--dims", "1"} + options);
+            VERIFY_CODE(own, 0);
+            QVERIFY2(!own.err.contains("does nothing"), own.err.constData());
+        }
+    }
+
     void pointsAndDistancesAreAskedFor_data()
     {
         QTest::addColumn<QStringList>("options");

@@ -145,6 +145,43 @@ private Q_SLOTS:
             run.out.constData());
     }
 
+    /// Behind -- a word is a file or a position, whatever it looks like; and in front of the
+    /// command an option is none of it. "There is no option --dims; the nearest is --dims" helps
+    /// nobody.
+    void noOptionIsProposedThatWasTyped_data()
+    {
+        QTest::addColumn<QStringList>("arguments");
+        QTest::addColumn<QByteArray>("reason");
+        QTest::newRow("an option behind --")
+            << QStringList{"inspect", "--dims", "1", "t.csv", "--", "--dims=1"}
+            << QByteArray("nothing takes the argument --dims=1 (see axiscomp inspect --help)");
+        QTest::newRow("the same in front of --, too")
+            << QStringList{"inspect", "--dims=1", "t.csv", "--", "--dims=1"}
+            << QByteArray("nothing takes the argument --dims=1 (see axiscomp inspect --help)");
+        QTest::newRow("no option of the command behind --")
+            << QStringList{"inspect", "t.csv", "--", "--dmis"}
+            << QByteArray("nothing takes the argument --dmis (see axiscomp inspect --help)");
+        QTest::newRow("a file behind --")
+            << QStringList{"inspect", "--", "a.csv", "b.csv"}
+            << QByteArray("nothing takes the argument b.csv (see axiscomp inspect --help)");
+        QTest::newRow("in front of the command")
+            << QStringList{"--json", "formats"}
+            << QByteArray("--json is an option of formats: give it behind formats (see axiscomp "
+                          "formats --help)");
+        QTest::newRow("misspelled, with -- behind it")
+            << QStringList{"inspect", "--dmis=1", "--", "t.csv"}
+            << QByteArray("there is no option --dmis; the nearest is --dims (see axiscomp inspect "
+                          "--help)");
+    }
+    void noOptionIsProposedThatWasTyped()
+    {
+        QFETCH(const QStringList, arguments);
+        QFETCH(const QByteArray, reason);
+        const ProgramRun run = Sandbox().run(arguments);
+        VERIFY_CODE(run, 2);
+        QCOMPARE(run.err, "error: InvalidArgument: " + reason + "\n");
+    }
+
     void wrongUsageIsOneSentenceWithAHint_data()
     {
         QTest::addColumn<QStringList>("arguments");

@@ -408,6 +408,24 @@ private Q_SLOTS:
         QCOMPARE(readIt(connected + program).tables.size(), std::size_t(1));
     }
 
+    /// "The last one counts" is said of a map that has it, not beside the reason why there is none.
+    void aSecondNumberOfAMapThatIsRefusedIsNoWarning()
+    {
+        const std::string twice = with("Step = 20", "Step = 10\nStep = 20");
+        const auto saysIt = [](const std::string& text) {
+            return hasProblem(readIt(text), DiagnosticCode::DuplicateValue, 5);
+        };
+        QVERIFY2(saysIt(twice), "not said of a map that is read");
+        QVERIFY2(!saysIt(test::with(twice, "Step = 20", "Step = -20")), "said of a step below 0");
+        QVERIFY2(!saysIt(test::with(twice, "ERRORMAP1D 0", "ERRORMAP1D Foo")),
+            "said of a map of an axis that is not known");
+        QVERIFY2(!saysIt(test::with(twice, "XMAP(0)", "YMAP(0)")),
+            "said of a map whose array has no first element");
+        QVERIFY2(
+            saysIt(test::with(twice, "ERRORMAPON", "ERRORMAP1D Foo, 0, 0, 1, XMAP\nERRORMAPON")),
+            "not said of a map that is read, because another one is refused");
+    }
+
     /// Each of two buffers may have an array of its own by the same name.
     void localArraysOfOneNameAreTwoMaps()
     {

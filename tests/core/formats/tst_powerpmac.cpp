@@ -56,10 +56,23 @@ void describe(test::FormatSample& sample)
     const std::string second =
         "CompTable[1].Source[0] = 2; CompTable[1].Nx[0] = 1; CompTable[1].X0[0] = 0;\n"
         "CompTable[1].Dx[0] = 1; CompTable[1].Target[0] = Motor[1].CompPos.a;\n"
+        "CompTable[1].Target[1] = Motor[1].CompPos2.a;\n"
         "CompTable[1].Data[0] = 0,0;\n";
     sample.warning("two tables for one motor, which the controller adds",
         with("Enable = 1", "Enable = 2") + second,
         {"0:0 Assumption several tables of 1 to 1, 2 to 1|their sum, since the controller adds"});
+    const auto aloneRow = [&sample](const char* name, const std::string& text, const char* line) {
+        sample.warning(name, text, {line});
+    };
+    aloneRow("the first feedback loop alone",
+        with(" CompTable[0].Target[1] = Motor[1].CompPos2.a;", ""),
+        "5:26 Assumption a table for CompPos alone|CompPos and CompPos2 of the motor; the table is "
+        "taken for both");
+    aloneRow("the second feedback loop alone",
+        with("CompTable[0].Target[0] = Motor[1].CompPos.a; ", ""),
+        "5:26 Assumption a table for CompPos2 alone|");
+    aloneRow("the same feedback loop twice", with("CompPos2.a", "CompPos"),
+        "5:71 Assumption a table for CompPos alone|");
     sample.warning("one of them is not in use", file + second,
         {"8:1 Assumption \"Sys.CompEnable = 1\", which switches a table of the file off"});
     sample.warning("another span further on", file + "CompTable[0].Dx[0] = 100000;\n",

@@ -162,6 +162,30 @@ class TestSiemensEec : public QObject {
 private Q_SLOTS:
     void init() { test::failOnWarnings(); }
 
+    /// A table for the second encoder that was a calibration file meanwhile is not known as that.
+    void theMeasuringSystemThatNobodySaysIsARemark()
+    {
+        const auto remarksOf = [](const std::string& name, const FormatSettings& settings) {
+            NeutralTable table = ownTable("X1");
+            table.name = name;
+            return test::joined(
+                format.write(std::span(&table, 1), test::writingWith(settings)).value().remarks);
+        };
+        const auto isSaid = [](const std::string& remarks) {
+            return remarks.find("nothing says for which measuring system of axis X1 the table is: "
+                                "it is written for 0; the setting encoder")
+                != std::string::npos;
+        };
+        const std::string open = remarksOf("X1", {});
+        QVERIFY2(isSaid(open), open.c_str());
+        for (const char* known : {"X1, encoder 0", "X1, encoder 1"}) {
+            const std::string remarks = remarksOf(known, {});
+            QVERIFY2(!isSaid(remarks), remarks.c_str());
+        }
+        const std::string stated = remarksOf("X1", {{"encoder", "0"}});
+        QVERIFY2(!isSaid(stated), stated.c_str());
+    }
+
     /// 3 * 0.1 is more than 0.3: the last point is where MAX says.
     void theLastPointIsExactlyAtMax()
     {
@@ -232,6 +256,26 @@ private Q_SLOTS:
         READ_TABLE(table, format, program, options);
         QCOMPARE(table.axes[0].unit, std::string("deg"));
         QCOMPARE(table.columns[0].unit, std::string("deg"));
+    }
+
+    /// IS_MODULO 0 says nothing of it: an axis that swings less than a turn is in degrees, too.
+    void anAxisThatTurnsByItsNameIsNotTakenForALinearOneUnsaid()
+    {
+        const auto linesOf = [](const std::string& axis, const FormatSettings& settings) {
+            std::string text = program;
+            for (std::size_t at = 0; (at = text.find("X1", at)) != std::string::npos;
+                 at += axis.size())
+                text.replace(at, 2, axis);
+            return problemLines(format.read(text, test::readingWith(settings)).value());
+        };
+        const auto isSaid = [](const std::string& lines) {
+            return lines.find("numbers are taken to be in mm") != std::string::npos;
+        };
+        for (const char* axis : {"C1", "a", "B"})
+            QVERIFY2(isSaid(linesOf(axis, {})), axis);
+        for (const char* axis : {"Z1", "U", "AX1", "CX"})
+            QVERIFY2(!isSaid(linesOf(axis, {})), axis);
+        QVERIFY2(!isSaid(linesOf("C1", {{"rotary-axes", "C1"}})), "said of what is stated");
     }
 
     /// The letter of an axis is not its name; the file would be read in mm.

@@ -188,8 +188,13 @@ private Q_SLOTS:
         QTest::newRow("active without a table")
             << withAxis("axis = \"X\"\nno-table = true\nactive = true\n")
             << lines({"8:10 Contradiction active of an axis without a table|"});
-        QTest::newRow("a number for a name") << withAxis(axisX + "target = 1\n")
-                                             << lines({"9:10 Syntax 1|a text in quotation marks"});
+        QTest::newRow("a number for a text")
+            << withAxis(axisX + "slot = 1\n")
+            << lines({"9:8 Syntax 1|a text, which stands in quotation marks in the file"});
+        QTest::newRow("a number for a target")
+            << withAxis(axisX + "target = 2\n")
+            << lines({"9:10 Syntax 2|a text, which stands in quotation marks in the file: \"#1\" "
+                      "for the first source, \"2\" for an axis of that name"});
         QTest::newRow("a whole version with decimals")
             << "version = 1.0\n" + withAxis(axisX).substr(12)
             << lines({"1:11 Syntax 1.0|1, the version of this format"});
@@ -268,6 +273,17 @@ private Q_SLOTS:
         }
         QCOMPARE(reading.diagnostics.size(), std::size_t(1));
         QCOMPARE(reading.diagnostics[0].line, std::size_t(2));
+    }
+
+    /// What is proposed for a number helps.
+    void aTargetIsANameOrTheNumberOfASource()
+    {
+        for (const char* target : {"#1", "2", "other"}) {
+            const std::string text = withAxis(axisX + "target = \"" + target + "\"\n");
+            const MachineReading reading = readMachine(text);
+            QVERIFY2(reading.machine, qPrintable(problemsOf(text).join(u'\n')));
+            QCOMPARE(reading.machine->drives[0].axes[0].choices.target, std::string(target));
+        }
     }
 
     void whatIsNoTomlIsNamedWithItsPlace()

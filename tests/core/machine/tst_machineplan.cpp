@@ -269,6 +269,40 @@ private Q_SLOTS:
         QCOMPARE(read("two.csv", "2").table.value().name, std::string("Y error"));
     }
 
+    /// As of --table: none of them is meant more than another.
+    void aNameThatSeveralTablesOfAFileHaveIsRefused()
+    {
+        const Machine machine;
+        const std::filesystem::path folder = machine.bench.folder.path().toStdString();
+        std::ofstream(folder / "two.mpf")
+            << "$AA_ENC_COMP[0,0,X1]=0\n$AA_ENC_COMP[0,1,X1]=0.001\n"
+               "$AA_ENC_COMP_STEP[0,X1]=10\n$AA_ENC_COMP_MIN[0,X1]=0\n"
+               "$AA_ENC_COMP_MAX[0,X1]=10\n"
+               "$AA_ENC_COMP[1,0,X1]=0\n$AA_ENC_COMP[1,1,X1]=0.002\n"
+               "$AA_ENC_COMP_STEP[1,X1]=10\n$AA_ENC_COMP_MIN[1,X1]=0\n"
+               "$AA_ENC_COMP_MAX[1,X1]=10\nM17\n";
+        MachineAxis axis;
+        axis.file = "two.mpf";
+        axis.sources = std::vector<std::string>{test::masterX};
+        const auto read = [&](const char* column) {
+            axis.column = column;
+            return readMachineTable(
+                axis, folder, genericTableLayout(), AxisPlace{"#1", LookupAt::Encoder});
+        };
+        const MachineTable refused = read("X1");
+        QVERIFY2(refused.problem, "a table was taken of two that have the name");
+        QCOMPARE(refused.problem->code, ErrorCode::TableAmbiguous);
+        const std::string said = sentence(*refused.problem);
+        QVERIFY2(said.find("#1: 1 (X1, encoder 0), 2 (X1, encoder 1)") != std::string::npos,
+            said.c_str());
+        const std::vector<float> values{0.0F, 0.002F};
+        for (const char* column : {"#2", "X1, encoder 1"}) {
+            const MachineTable table = read(column);
+            QVERIFY2(table.table, table.problem ? sentence(*table.problem).c_str() : "");
+            QCOMPARE(table.table->values, values);
+        }
+    }
+
     /// Where the sign is converted, values are added to positions: what is stated comes first.
     void statedUnitsAreThoseOfTheFileBeforeItIsConverted()
     {

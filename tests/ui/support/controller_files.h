@@ -97,7 +97,8 @@ inline QString controllerFile(const QString& format)
         {QStringLiteral("power-pmac"),
             QStringLiteral("CompTable[0].Source[0] = 1;\nCompTable[0].Nx[0] = 4;\n"
                            "CompTable[0].X0[0] = -100000;\nCompTable[0].Dx[0] = 200000;\n"
-                           "CompTable[0].Target[0] = Motor[1].CompPos.a;\n"
+                           "CompTable[0].Target[0] = Motor[1].CompPos.a;"
+                           "CompTable[0].Target[1] = Motor[1].CompPos2.a;\n"
                            "CompTable[0].Sf[0] = 1; CompTable[0].Ctrl = 7;\n"
                            "CompTable[0].Data[0] = 0,12.5,-3\nCompTable[0].Data[3] = 4,8\n"
                            "Sys.CompEnable = 1\n")},
