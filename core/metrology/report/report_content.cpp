@@ -569,14 +569,21 @@ private:
             const auto text = [&shown](const FineUnit& unit, double value) {
                 return quantityText(unit.digits(value, shown.decimals), unit.symbol);
             };
-            table.rows.push_back({figureText(verdict.tolerance.figure),
-                verdict.value ? text(shown.value, *verdict.value) : fine(verdict.value),
+            table.rows.push_back({figureText(verdict.tolerance.figure), verdictValue(verdict),
                 text(shown.limit, verdict.tolerance.value),
                 verdict.uncertainty ? text(shown.uncertainty, *verdict.uncertainty) : notStated(),
                 verdictText(verdict.result)});
         }
         addVerdictsOfAllValues(table, isAfter ? m_after : m_before);
         m_document.blocks.emplace_back(std::move(table));
+    }
+
+    [[nodiscard]] Text verdictValue(const Verdict& verdict) const
+    {
+        if (!verdict.value)
+            return fine(verdict.value);
+        const auto shown = verdictDigits(verdict, m_content.isAngular, figureDecimals);
+        return quantityText(shown.value.digits(*verdict.value, shown.decimals), shown.value.symbol);
     }
 
     /// Beside those of the values in use.
@@ -589,17 +596,9 @@ private:
                 AXISCOMP_TEXT("Report", "verdict, all values")});
         const auto ofAll =
             verdicts(*judged.ofAllValues, m_content.tolerances, m_content.uncertainty);
-        for (std::size_t n = 0; n < ofAll.size(); ++n) {
-            const auto& value = ofAll[n].value;
-            const double limit = ofAll[n].tolerance.value;
-            const auto shown =
-                comparedDigits(value.value_or(limit), limit, m_content.isAngular, figureDecimals);
-            table.rows[n].insert(table.rows[n].end(),
-                {value ? quantityText(
-                     shown.value.digits(*value, shown.decimals), shown.value.symbol)
-                       : fine(value),
-                    verdictText(ofAll[n].result)});
-        }
+        for (std::size_t n = 0; n < ofAll.size(); ++n)
+            table.rows[n].insert(
+                table.rows[n].end(), {verdictValue(ofAll[n]), verdictText(ofAll[n].result)});
     }
 
     void addTable()

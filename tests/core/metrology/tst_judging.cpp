@@ -752,6 +752,17 @@ private Q_SLOTS:
             (std::vector<std::string>{
                 "of all values accuracy A is 204.759 um (tolerance 100.000 um: failed)"}));
     }
+
+    /// U brings it above the tolerance by less than three decimals show.
+    void aVerdictOfAllValuesReadsAsItWasDecided()
+    {
+        const Verdict inUse{{Figure::A, 0.0105}, 0.005, 0.0005, VerdictResult::Passed};
+        const Verdict ofAll{{Figure::A, 0.0105}, 0.0100004, 0.0005, VerdictResult::Undecided};
+        const auto warnings = otherVerdicts(std::array{inUse}, std::array{ofAll}, false);
+        QCOMPARE(warnings.size(), std::size_t{1});
+        QCOMPARE(warnings[0].text.english(),
+            "of all values accuracy A is 10.0004 um (tolerance 10.5000 um: undecided)");
+    }
 };
 
 AXISCOMP_TEST(tst_Judging)

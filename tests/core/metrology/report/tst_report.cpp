@@ -409,6 +409,25 @@ private Q_SLOTS:
         QVERIFY(shown.decimals > 2);
     }
 
+    /// 0.1 nm above it, with U.
+    void aVerdictOfAllValuesThatUDecidesReadsSo()
+    {
+        ReportContent content = wholeContent();
+        Measurement& after = content.after->measurement;
+        after.values[7].deviation = 0.05;
+        const double all = iso230Figures(after)[Iso230Figure::A].value.value_or(0.0);
+        after.values[7].isUsed = false;
+        const Verdict verdict{{Iso230Figure::A, all + 0.0011 - 1e-7}, all, 0.0011};
+        content.tolerances = {verdict.tolerance};
+        const auto shown = verdictDigits(verdict, false, 2);
+        QVERIFY(shown.decimals > 2);
+        const QString text = textsOf(htmlOf(content)).join(u'|');
+        QVERIFY2(text.contains(
+                     QStringLiteral("|%1 µm|undecided")
+                         .arg(QString::fromStdString(shown.value.digits(all, shown.decimals)))),
+            qPrintable(text));
+    }
+
     void curvesShowTheMeans()
     {
         ReportContent content = wholeContent();
