@@ -130,10 +130,11 @@ private:
         return one.reported ? one.figures[figure].value : std::nullopt;
     }
     /// A, or where all runs are of one direction that of it.
-    [[nodiscard]] Iso230Figure accuracyFigure() const
+    [[nodiscard]] static Iso230Figure accuracyFigure(
+        const Iso230Figures& before, const Iso230Figures& after)
     {
         for (const Iso230Figure figure : {Iso230Figure::A, Iso230Figure::AUp, Iso230Figure::ADown})
-            if (valueOf(m_before, figure) || valueOf(m_after, figure))
+            if (before[figure].value || after[figure].value)
                 return figure;
         return Iso230Figure::A;
     }
@@ -141,7 +142,7 @@ private:
     /// The sentence that is read first.
     void addOutcome()
     {
-        const Iso230Figure figure = accuracyFigure();
+        const Iso230Figure figure = accuracyFigure(m_before.figures, m_after.figures);
         const Text symbol = Verbatim{std::string(figureSymbol(figure))};
         const auto before = valueOf(m_before, figure);
         const auto after = valueOf(m_after, figure);
@@ -193,21 +194,25 @@ private:
     /// Who reads that sentence alone has to know that values were chosen.
     void addOutcomeOfAllValues()
     {
-        const auto& before = m_before.ofAll()[Iso230Figure::A].value;
-        const auto& after = m_after.ofAll()[Iso230Figure::A].value;
+        const Iso230Figure figure = accuracyFigure(m_before.ofAll(), m_after.ofAll());
+        const auto& before = m_before.ofAll()[figure].value;
+        const auto& after = m_after.ofAll()[figure].value;
         if (!hasExcluded() || !(before || after))
             return;
+        const Text symbol = Verbatim{std::string(figureSymbol(figure))};
         if (m_after.reported)
             paragraph(AXISCOMP_TEXT("Report",
-                          "Accuracy A of all values, with those that are left out: {before} "
+                          "Accuracy {figure} of all values, with those that are left out: {before} "
                           "before, {after} after.")
+                          .with("figure", symbol)
                           .with("before", fine(before))
                           .with("after", fine(after)),
                 true);
         else
             paragraph(AXISCOMP_TEXT("Report",
-                          "Accuracy A of all values, with those that are left out: {before} "
+                          "Accuracy {figure} of all values, with those that are left out: {before} "
                           "before.")
+                          .with("figure", symbol)
                           .with("before", fine(before)),
                 true);
     }

@@ -391,6 +391,23 @@ private Q_SLOTS:
         QVERIFY(text.contains(QStringLiteral("was made without: E↑ 17.79 µm, rms")));
     }
 
+    void allValuesOfOneDirectionHaveItsAccuracy()
+    {
+        ReportContent content = wholeContent();
+        for (auto* reported : {&content.before, &content.after})
+            std::erase_if((*reported)->measurement.values,
+                [](const RunValue& value) { return value.direction == Approach::Down; });
+        QString text = textsOf(htmlOf(content)).join(u'|');
+        QVERIFY2(text.contains(QStringLiteral("Accuracy A↑ of all values, with those that are left "
+                                              "out: 18.07 µm before, 1.81 µm after.")),
+            qPrintable(text));
+        content.after.reset();
+        text = textsOf(htmlOf(content)).join(u'|');
+        QVERIFY2(text.contains(QStringLiteral("Accuracy A↑ of all values, with those that are left "
+                                              "out: 18.07 µm before.")),
+            qPrintable(text));
+    }
+
     void aVerdictThatIsMissedByLittleReadsSo()
     {
         ReportContent content = wholeContent();
