@@ -228,6 +228,10 @@ private Q_SLOTS:
         QCOMPARE(drift.rowCount(), 8);
         QCOMPARE(text(drift, 6, 3), QStringLiteral("113.99 µm"));
         QCOMPARE(text(drift, 7, 3), QStringLiteral("33.08 µm"));
+        QCOMPARE(text(drift, 6, 1), QStringLiteral("100.68 µm"));
+        QCOMPARE(text(drift, 6, 2), QStringLiteral("95.60 µm"));
+        QCOMPARE(text(drift, 7, 1), QStringLiteral("12.94 µm"));
+        QCOMPARE(text(drift, 7, 2), QStringLiteral("20.45 µm"));
         QCOMPARE(runs.rowCount(), 10);
         QCOMPARE(heading(runs, 3), QStringLiteral("Slope [µm/m]"));
         QVERIFY(runs.valuesOf(6) == (Exclusion{Approach::Down, {}, 2}));
