@@ -107,10 +107,9 @@ std::string promiseText(bool isAngular, const Comparison& comparison)
 }
 
 /// From the datum.
-std::string residualText(
-    const Measurement& after, const Comparison& comparison, const std::optional<double>& position)
+std::string residualText(const Measurement& after, const Comparison& comparison,
+    const std::optional<PlacedDeviation>& datum)
 {
-    const auto datum = deviationDatums(comparison.before, comparison.after, position).after;
     std::vector<Value> shown;
     for (const RemainingError& error : comparison.residual)
         shown.insert(
@@ -149,8 +148,8 @@ Json numberOrNothing(const Value& value)
 
 } // namespace
 
-std::string comparisonText(
-    const Measurement& after, const Comparison& comparison, const std::optional<double>& datum)
+std::string comparisonText(const Measurement& after, const Comparison& comparison,
+    const std::optional<PlacedDeviation>& datum)
 {
     const std::string verdict = verdictsText(after, comparison.verdicts)
         + verdictsText(after, comparison.verdictsOfAllValues, verdictOfAllValuesHeading);

@@ -84,11 +84,10 @@ private:
     /// The zero of an instrument is arbitrary, and may be another one in each measurement.
     void placeCurves()
     {
-        std::optional<double> stated;
-        for (const Judged* one : {&m_before, &m_after})
-            if (one->reported && !stated)
-                stated = one->reported->datum;
-        const TwoDatums datums = deviationDatums(m_before.figures, m_after.figures, stated);
+        const auto side = [](const Judged& one) {
+            return DatumSide{one.figures, one.reported ? one.reported->datum : std::nullopt};
+        };
+        const TwoDatums datums = deviationDatums(side(m_before), side(m_after));
         for (const auto& [one, datum] :
             {std::pair(&m_before, &datums.before), std::pair(&m_after, &datums.after)})
             if (hasPlot(*one))
