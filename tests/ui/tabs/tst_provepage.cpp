@@ -13,6 +13,8 @@
 #include <QTableView>
 #include <QTest>
 
+#include "ui/drawing/custom_plot.h"
+
 namespace tst_provepage {
 
 using namespace axiscomp;
@@ -191,6 +193,9 @@ private Q_SLOTS:
             QStringLiteral("0 = mean at -20 mm"));
         QCOMPARE(bench.user.the("residualPlot").accessibleDescription(),
             QStringLiteral("What is left lies between 0.00 µm and 1.00 µm."));
+        const auto* plot = bench.user.the("residualPlot").findChild<QCustomPlot*>();
+        QVERIFY(plot);
+        QCOMPARE(plot->yAxis->label(), QStringLiteral("Deviation [µm]\n0 = mean at -20 mm"));
     }
 
     void whichTableWasActiveIsSaidByThePersonWhereTheFileDoesNot()
