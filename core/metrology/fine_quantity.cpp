@@ -45,14 +45,9 @@ Quantity fineQuantity(double value, bool isAngular)
     return {unit.digits(value), unit.name};
 }
 
-ComparedDigits comparedDigits(
-    double value, double limit, bool isAngular, int decimals, double uncertainty)
+int decimalsApart(
+    const FineUnit& unit, double value, double limit, int decimals, double uncertainty)
 {
-    const std::optional<double> shown[] = {value, limit, uncertainty};
-    const auto suiting = [&shown, isAngular](std::size_t first, std::size_t count) {
-        return fineUnit(std::span(shown).subspan(first, count), isAngular);
-    };
-    const FineUnit unit = suiting(0, 2);
     const double size = std::abs(value);
     const std::array amounts{size, size + uncertainty, size - uncertainty};
     const auto areToldApart = [&](int places) {
@@ -62,10 +57,22 @@ ComparedDigits comparedDigits(
         });
     };
     constexpr int mostDecimals = 20; // more than a double has
-    int needed = decimals;
-    while (needed < mostDecimals && !areToldApart(needed))
-        ++needed;
-    if (needed > decimals && needed < mostDecimals)
+    for (int needed = decimals; needed < mostDecimals; ++needed)
+        if (areToldApart(needed))
+            return needed;
+    return decimals;
+}
+
+ComparedDigits comparedDigits(
+    double value, double limit, bool isAngular, int decimals, double uncertainty)
+{
+    const std::optional<double> shown[] = {value, limit, uncertainty};
+    const auto suiting = [&shown, isAngular](std::size_t first, std::size_t count) {
+        return fineUnit(std::span(shown).subspan(first, count), isAngular);
+    };
+    const FineUnit unit = suiting(0, 2);
+    const int needed = decimalsApart(unit, value, limit, decimals, uncertainty);
+    if (needed > decimals)
         return {unit, unit, unit, needed};
     return {suiting(0, 1), suiting(1, 1), suiting(2, 1), decimals};
 }

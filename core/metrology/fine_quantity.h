@@ -43,9 +43,12 @@ struct ComparedDigits {
     FineUnit uncertainty;
     int decimals = 3; ///< of all
 };
-/// Each in the unit that suits it and with these decimals; where the size of the value, or that and
-/// the uncertainty or less it, would read as the limit and is not (isAbove), in one unit with as
-/// many more decimals as tell them apart. In mm or deg.
+/// At least these, and as many more as tell the size of the value, and that with the uncertainty or
+/// less it, from the limit where they are not the same (isAbove). In mm or deg.
+[[nodiscard]] int decimalsApart(
+    const FineUnit& unit, double value, double limit, int decimals, double uncertainty = 0.0);
+/// Each in the unit that suits it and with these decimals; where they would need more of them
+/// (decimalsApart), in one unit with these. In mm or deg.
 [[nodiscard]] ComparedDigits comparedDigits(
     double value, double limit, bool isAngular, int decimals = 3, double uncertainty = 0.0);
 struct ComparedQuantities {

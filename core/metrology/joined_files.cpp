@@ -65,4 +65,18 @@ bool areDifferent(const NumbersOfFiles& said)
     return said.size() > 1;
 }
 
+bool areAllDifferent(const TextsOfFiles& one, const TextsOfFiles& other)
+{
+    bool isSaidOfBoth = false;
+    for (const auto& first : one)
+        for (const auto& second : other) {
+            if (trimmed(first.said).empty() || trimmed(second.said).empty())
+                continue;
+            if (isSameStatement(first.said, second.said))
+                return false;
+            isSaidOfBoth = true;
+        }
+    return isSaidOfBoth;
+}
+
 } // namespace axiscomp

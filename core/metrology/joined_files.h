@@ -24,5 +24,7 @@ using NumbersOfFiles = std::vector<SaidByFiles<std::optional<double>>>;
 /// holds for all only where all say it.
 [[nodiscard]] bool areDifferent(const TextsOfFiles& said);
 [[nodiscard]] bool areDifferent(const NumbersOfFiles& said);
+/// Whether each of two measurements says something, and nothing that the other one says.
+[[nodiscard]] bool areAllDifferent(const TextsOfFiles& one, const TextsOfFiles& other);
 
 } // namespace axiscomp

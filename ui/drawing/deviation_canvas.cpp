@@ -396,10 +396,8 @@ void DeviationCanvas::retranslate()
 {
     const bool isAngular = !d->series.empty() && d->series[0].measurement->isAngular;
     d->plot->xAxis->setLabel(withUnit(tr("Target"), isAngular ? "°" : "mm"));
-    QStringList deviation{withUnit(tr("Deviation"), d->unit.symbol)};
-    if (!d->series.empty() && d->series[0].curves->datum)
-        deviation += translated(datumText(*d->series[0].curves->datum, isAngular));
-    d->plot->yAxis->setLabel(deviation.join(u'\n')); // on one line a low plot would cut it
+    d->plot->yAxis->setLabel(deviationLabel(
+        d->unit, d->series.empty() ? std::nullopt : d->series[0].curves->datum, isAngular));
     d->plot->replot(QCustomPlot::rpQueuedReplot);
 }
 

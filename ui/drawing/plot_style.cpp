@@ -3,12 +3,20 @@
 
 #include "core/metrology/report/plot_ink.h"
 #include "ui/style/contrast.h"
+#include "ui/text/translated_text.h"
+#include "ui/text/value_text.h"
 
 #include "ui/drawing/custom_plot.h"
+
+#include <QCoreApplication>
 
 namespace axiscomp::ui {
 
 namespace {
+
+struct PlotStyle {
+    Q_DECLARE_TR_FUNCTIONS(axiscomp::ui::PlotStyle)
+};
 
 QColor inkOn(const QColor& base, PlotInk ink, double ratio)
 {
@@ -57,6 +65,13 @@ void stylePlot(QCustomPlot& plot, const MeasurementInks& inks)
     plot.legend->setBrush(Qt::NoBrush);
     plot.legend->setBorderPen(Qt::NoPen);
     plot.legend->setTextColor(inks.text);
+}
+
+QString deviationLabel(
+    const FineUnit& unit, const std::optional<PlacedDeviation>& datum, bool isAngular)
+{
+    const QString name = withUnit(PlotStyle::tr("Deviation"), unit.symbol);
+    return datum ? name + u'\n' + translated(datumText(*datum, isAngular)) : name;
 }
 
 } // namespace axiscomp::ui

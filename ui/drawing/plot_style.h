@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/metrology/judge/deviation_curves.h"
+
 #include <QColor>
 #include <QPalette>
+#include <QString>
 
 class QCPAxis;
 class QCPLegend;
@@ -31,5 +34,10 @@ struct MeasurementInks {
 void letLegendBeWide(QCPLegend& legend);
 /// Background, axes, and legend where there is one.
 void stylePlot(QCustomPlot& plot, const MeasurementInks& inks);
+
+/// Of an axis with deviations: "Deviation [µm]", and below it what is 0 among them, which on one
+/// line a low plot would cut.
+[[nodiscard]] QString deviationLabel(
+    const FineUnit& unit, const std::optional<PlacedDeviation>& datum, bool isAngular);
 
 } // namespace axiscomp::ui

@@ -2,9 +2,9 @@
 #include "ui/measuring/captured_plot.h"
 
 #include "ui/drawing/local_plot.h"
+#include "ui/drawing/plot_style.h"
 #include "ui/drawing/value_ticker.h"
 #include "ui/style/contrast.h"
-#include "ui/text/fine_scale.h"
 #include "ui/text/value_text.h"
 
 #include <QBoxLayout>
@@ -85,7 +85,7 @@ void CapturedPlot::fit(const MeasuringPlan& plan, const std::vector<CapturedValu
 void CapturedPlot::nameAxes()
 {
     m_plot->xAxis->setLabel(withUnit(tr("Position"), m_isAngular ? "°" : "mm"));
-    m_plot->yAxis->setLabel(withUnit(tr("Deviation"), FineScale(m_unit).symbol().toStdString()));
+    m_plot->yAxis->setLabel(deviationLabel(m_unit, {}, m_isAngular));
 }
 
 void CapturedPlot::retranslate()

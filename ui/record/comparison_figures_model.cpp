@@ -8,8 +8,6 @@
 #include "ui/text/translated_text.h"
 #include "ui/text/value_text.h"
 
-#include <algorithm>
-
 namespace axiscomp::ui {
 
 namespace {
@@ -21,11 +19,15 @@ Iso230Figure figureOf(int row)
 
 const axiscomp::Verdict* verdictOf(const Comparison& comparison, int row)
 {
-    const auto found =
-        std::ranges::find_if(comparison.verdicts, [row](const axiscomp::Verdict& verdict) {
-            return verdict.tolerance.figure == figureOf(row);
-        });
-    return found == comparison.verdicts.end() ? nullptr : &*found;
+    return axiscomp::verdictOf(comparison.verdicts, figureOf(row));
+}
+
+/// Of what stands in one row.
+int decimalsOf(const Comparison& comparison, int row, const FineUnit& unit)
+{
+    return verdictDecimals({verdictOf(comparison, row),
+                               axiscomp::verdictOf(comparison.verdictsOfAllValues, figureOf(row))},
+        unit, FineScale::usualDecimals);
 }
 
 } // namespace
@@ -103,7 +105,8 @@ QString ComparisonFiguresModel::text(int row, int column) const
     const auto shown = value(row, column);
     if (!shown)
         return column == Limit ? QString() : QStringLiteral("–");
-    const QString digits = FineScale(state.unit).text(*shown);
+    const QString digits =
+        FineScale(state.unit).text(*shown, decimalsOf(*state.comparison, row, state.unit));
     const bool isMore = column == Change && *shown > 0.0 && !digits.startsWith(u'0');
     return isMore ? u'+' + digits : digits;
 }

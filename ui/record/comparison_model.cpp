@@ -42,14 +42,13 @@ Result<std::shared_ptr<const Measurement>> firstOf(const Sides& sides)
     return std::make_shared<const Measurement>(std::move(used));
 }
 
-/// By the datum that was stated for the first measurement, else that of the second.
 TwoDatums datumsOf(const Sides& sides, const Comparison& comparison)
 {
     const bool isOnRecord = sides.calibration && sides.calibration->before;
-    const auto first = statedDatum(isOnRecord ? sides.calibration->before->corrections.temperature
-                                              : sides.corrections.temperature);
-    return deviationDatums(comparison.before, comparison.after,
-        first ? first : statedDatum(sides.after.record.corrections.temperature));
+    const auto& first = isOnRecord ? sides.calibration->before->corrections.temperature
+                                   : sides.corrections.temperature;
+    return deviationDatums({comparison.before, statedDatum(first)},
+        {comparison.after, statedDatum(sides.after.record.corrections.temperature)});
 }
 
 FineUnit unitOf(const Comparison& comparison, const TwoDatums& datums, bool isAngular)

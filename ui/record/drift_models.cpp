@@ -145,12 +145,15 @@ QString DriftModel::text(int row, int column) const
         QT_TR_NOOP("R without the offsets of the runs")};
     if (column == 0)
         return tr(names.at(static_cast<std::size_t>(row)));
-    if (row >= 6)
-        return column < 3
-            ? QString()
-            : aloneOrNothing(
-                (*judgement.withoutOffsets)[row == 6 ? Iso230Figure::A : Iso230Figure::R].value,
-                isAngular);
+    if (row >= 6) {
+        static constexpr std::array accuracy{
+            Iso230Figure::AUp, Iso230Figure::ADown, Iso230Figure::A};
+        static constexpr std::array repeatability{
+            Iso230Figure::RUp, Iso230Figure::RDown, Iso230Figure::R};
+        const auto& figures = row == 6 ? accuracy : repeatability;
+        const Iso230Figure figure = figures.at(static_cast<std::size_t>(column) - 1);
+        return aloneOrNothing((*judgement.withoutOffsets)[figure].value, isAngular);
+    }
     if (column == 3)
         return {};
     const DirectionDrift& drift = column == 1 ? judgement.driftUp : judgement.driftDown;

@@ -86,10 +86,7 @@ const Verdict* FiguresModel::verdictOf(int row) const
 {
     if (row >= static_cast<int>(iso230FigureCount))
         return nullptr;
-    const auto& verdicts = state().judgement->verdicts;
-    const auto found = std::ranges::find(verdicts, figureOfRow(row),
-        [](const Verdict& verdict) { return verdict.tolerance.figure; });
-    return found == verdicts.end() ? nullptr : &*found;
+    return axiscomp::verdictOf(state().judgement->verdicts, figureOfRow(row));
 }
 
 QString FiguresModel::text(int row, int column) const
@@ -101,19 +98,23 @@ QString FiguresModel::text(int row, int column) const
     const Judgement& judgement = *state().judgement;
     const FineUnit unit = unitOfFigures(state());
     const Verdict* verdict = verdictOf(row);
+    const auto shown = [&](const std::optional<double>& value) {
+        return shownOrNothing(unit, value,
+            verdictDecimals({verdict, axiscomp::verdictOf(judgement.verdictsOfAllValues, figure)},
+                unit, FineScale::usualDecimals));
+    };
     switch (cell) {
     case Cell::Symbol:
         return qString(figureSymbol(figure));
     case Cell::Meaning:
         return translated(figureText(figure));
     case Cell::Value:
-        return judgement.figures[figure].value
-            ? shownOrNothing(unit, judgement.figures[figure].value)
-            : tr("not defined");
+        return judgement.figures[figure].value ? shown(judgement.figures[figure].value)
+                                               : tr("not defined");
     case Cell::OfAll:
-        return shownOrNothing(unit, (*judgement.ofAllValues)[figure].value);
+        return shown((*judgement.ofAllValues)[figure].value);
     case Cell::Tolerance:
-        return verdict ? FineScale(unit).text(verdict->tolerance.value) : noFigure();
+        return verdict ? shown(verdict->tolerance.value) : noFigure();
     case Cell::Verdict:
         if (!verdict)
             return noFigure();

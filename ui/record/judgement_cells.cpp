@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/record/judgement_cells.h"
 
-#include "ui/text/fine_scale.h"
 #include "ui/text/translated_text.h"
 
 namespace axiscomp::ui {
@@ -11,9 +10,9 @@ QString noFigure()
     return QStringLiteral("–");
 }
 
-QString shownOrNothing(const FineUnit& unit, const std::optional<double>& value)
+QString shownOrNothing(const FineUnit& unit, const std::optional<double>& value, int decimals)
 {
-    return value ? FineScale(unit).text(*value) : noFigure();
+    return value ? FineScale(unit).text(*value, decimals) : noFigure();
 }
 
 QString aloneOrNothing(const std::optional<double>& value, bool isAngular)

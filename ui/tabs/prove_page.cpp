@@ -106,8 +106,7 @@ std::pair<Tone, QString> promiseSentence(const ComparisonState& state)
         return {Tone::Warning,
             ProvePage::tr("Whether it is as predicted is open, since %1 is not defined after.")
                 .arg(figure)};
-    const FineScale scale(state.unit);
-    const QString found = scale.textWithUnit(*comparison.after[comparison.promised].value);
+    const double after = *comparison.after[comparison.promised].value;
     if (comparison.isNoBetter) {
         const QString words = comparison.isAsPredicted
             ? ProvePage::tr("Not as predicted, since the machine is no better than before: %3 is "
@@ -115,8 +114,9 @@ std::pair<Tone, QString> promiseSentence(const ComparisonState& state)
             : ProvePage::tr("Whether it is as predicted is open, since %3 is smaller than before "
                             "by no more than what cannot be told: %3 is %1 after and was %2 "
                             "before.");
-        const double before = *comparison.before[comparison.promised].value;
-        return {Tone::Warning, words.arg(found, scale.textWithUnit(before), figure)};
+        const auto [found, limit] =
+            comparedTexts(after, *comparison.before[comparison.promised].value, state.isAngular);
+        return {Tone::Warning, words.arg(found, limit, figure)};
     }
     const QString words = !comparison.isAsPredicted
         ? ProvePage::tr("Whether it is as predicted is open, since less of the axis was measured: "
@@ -127,8 +127,9 @@ std::pair<Tone, QString> promiseSentence(const ComparisonState& state)
         : ProvePage::tr("Not as predicted: %3 is %1 after, and up to %2 is as predicted (1.2 times "
                         "%3 held out, and what cannot be told).");
     const bool isGood = comparison.isAsPredicted == true && !state.isCorrectedOtherwise;
-    return {isGood ? Tone::Success : Tone::Warning,
-        words.arg(found, scale.textWithUnit(*comparison.largestAsPredicted), figure)};
+    const auto [found, limit] =
+        comparedTexts(after, *comparison.largestAsPredicted, state.isAngular);
+    return {isGood ? Tone::Success : Tone::Warning, words.arg(found, limit, figure)};
 }
 
 } // namespace

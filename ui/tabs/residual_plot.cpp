@@ -2,11 +2,10 @@
 #include "ui/tabs/residual_plot.h"
 
 #include "ui/drawing/local_plot.h"
+#include "ui/drawing/plot_style.h"
 #include "ui/drawing/value_ticker.h"
 #include "ui/style/contrast.h"
 #include "ui/text/fine_scale.h"
-#include "ui/text/translated_text.h"
-#include "ui/text/value_text.h"
 
 #include <QBoxLayout>
 #include <QEvent>
@@ -157,11 +156,7 @@ void ResidualPlot::nameAxes()
     m_after.mean->setName(tr("after, with its standard error"));
     m_plot->xAxis->setLabel(QStringLiteral("%1 [%2]").arg(
         tr("Position"), m_state.isAngular ? QStringLiteral("°") : QStringLiteral("mm")));
-    QStringList deviation{
-        QStringLiteral("%1 [%2]").arg(tr("Deviation"), FineScale(m_state.unit).symbol())};
-    if (const auto& datum = m_state.datums.after)
-        deviation += translated(datumText(*datum, m_state.isAngular));
-    m_plot->yAxis->setLabel(deviation.join(u'\n')); // on one line a low plot would cut it
+    m_plot->yAxis->setLabel(deviationLabel(m_state.unit, m_state.datums.after, m_state.isAngular));
 }
 
 /// For those who do not see it; the numbers stand in the tables.

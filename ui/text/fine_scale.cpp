@@ -10,6 +10,16 @@
 
 namespace axiscomp::ui {
 
+namespace {
+
+ComparedTexts textsOf(const ComparedDigits& shown, double value, double limit)
+{
+    return {FineScale(shown.value).textWithUnit(value, shown.decimals),
+        FineScale(shown.limit).textWithUnit(limit, shown.decimals)};
+}
+
+} // namespace
+
 QString FineScale::symbol() const
 {
     return QString::fromUtf8(m_unit.symbol);
@@ -37,11 +47,14 @@ QString fineText(double value, bool isAngular)
 
 ComparedTexts comparedTexts(const Verdict& verdict, bool isAngular)
 {
-    constexpr int decimals = 2;
     const double limit = verdict.tolerance.value;
-    const ComparedDigits shown = verdictDigits(verdict, isAngular, decimals);
-    return {FineScale(shown.value).textWithUnit(verdict.value.value_or(limit), shown.decimals),
-        FineScale(shown.limit).textWithUnit(limit, shown.decimals)};
+    return textsOf(verdictDigits(verdict, isAngular, FineScale::usualDecimals),
+        verdict.value.value_or(limit), limit);
+}
+
+ComparedTexts comparedTexts(double value, double limit, bool isAngular)
+{
+    return textsOf(comparedDigits(value, limit, isAngular, FineScale::usualDecimals), value, limit);
 }
 
 QString amountText(double value, bool isAngular)

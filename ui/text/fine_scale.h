@@ -13,13 +13,15 @@ namespace axiscomp::ui {
 /// the signs of the language.
 class FineScale {
 public:
+    static constexpr int usualDecimals = 2;
+
     explicit FineScale(const FineUnit& unit) : m_unit(unit) { }
 
     [[nodiscard]] QString symbol() const; ///< "µm", "nm", "″"
     /// value: in mm or deg; "93.20", "-0.31"
-    [[nodiscard]] QString text(double value, int decimals = 2) const;
+    [[nodiscard]] QString text(double value, int decimals = usualDecimals) const;
     /// "93.20 µm"
-    [[nodiscard]] QString textWithUnit(double value, int decimals = 2) const;
+    [[nodiscard]] QString textWithUnit(double value, int decimals = usualDecimals) const;
 
 private:
     FineUnit m_unit;
@@ -33,6 +35,8 @@ struct ComparedTexts {
     QString limit;
 };
 [[nodiscard]] ComparedTexts comparedTexts(const Verdict& verdict, bool isAngular);
+/// Likewise of two amounts that are held against each other (comparedDigits).
+[[nodiscard]] ComparedTexts comparedTexts(double value, double limit, bool isAngular);
 /// An amount that a person has said, in mm or deg, as one would write it: "10 µm", "0.5 ″".
 [[nodiscard]] QString amountText(double value, bool isAngular);
 /// The amount that a person has written, in mm or deg: "10" in um or arcsec, "10 µm", "0,01 mm"

@@ -173,11 +173,15 @@ ComparisonRequest requestOf(
     return request;
 }
 
-/// The position that both are shown from, where one was stated.
-std::optional<double> datumOfBoth(const Side& before, const Side& after)
+/// From which what is left is shown.
+std::optional<PlacedDeviation> datumAfter(
+    const Side& before, const Side& after, const Comparison& comparison)
 {
-    const auto stated = statedDatum(before.corrections.corrections.temperature);
-    return stated ? stated : statedDatum(after.corrections.corrections.temperature);
+    const auto stated = [](const Side& side) {
+        return statedDatum(side.corrections.corrections.temperature);
+    };
+    return deviationDatums({comparison.before, stated(before)}, {comparison.after, stated(after)})
+        .after;
 }
 
 /// What a person reads, and what a program does.
@@ -190,7 +194,7 @@ void tellComparison(Environment& environment, const Side& before, const Side& af
     environment.print("Before: " + sourcesText(before.input.sources) + "\n"
         + before.corrections.text + "After:  " + sourcesText(after.input.sources) + "\n"
         + after.corrections.text + "\n"
-        + comparisonText(second, comparison, datumOfBoth(before, after)));
+        + comparisonText(second, comparison, datumAfter(before, after, comparison)));
     Json document = comparisonJson(second, comparison);
     document["source"] = bothSources(before.input, after.input);
     document["corrections"] = after.corrections.document;

@@ -53,10 +53,12 @@ CsvReading readCsv(Environment& environment, const TableInputOptions& input,
     return reading;
 }
 
+/// As whatever it is read, then: no number of dimensions helps.
 bool isUnreadable(const CsvReading& reading)
 {
-    return std::ranges::any_of(
-        reading.diagnostics, [](const Diagnostic& d) { return d.code == DiagnosticCode::IoError; });
+    return std::ranges::any_of(reading.diagnostics, [](const Diagnostic& d) {
+        return d.code == DiagnosticCode::IoError || d.code == DiagnosticCode::NotText;
+    });
 }
 
 /// All of standard input, which can be read only once; nothing: a file is named.
@@ -101,9 +103,8 @@ Result<const TableFormat*> recognisedFormat(
 {
     const auto choice =
         chooseFormat(beginningFor(options, piped), nameForFormat(options), options.dimensions != 0);
-    const bool isUnreadable = !choice && choice.error().context.contains("utf16");
     const bool isMeasurement = !choice && choice.error().context.contains("measured");
-    if (!choice && piped && !isMeasurement && (options.dimensions != 0 || !isUnreadable))
+    if (!choice && piped && !isMeasurement)
         return &calibration_csv::format();
     if (!choice) {
         if (!piped)

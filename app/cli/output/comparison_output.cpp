@@ -65,18 +65,10 @@ std::string warningsText(const Comparison& comparison)
     return text.empty() ? text : text + "\n";
 }
 
-/// "M", or what stands for it with runs of one direction: "E up".
-std::string promisedName(const Comparison& comparison)
-{
-    if (comparison.promised == Iso230Figure::M)
-        return "M";
-    return comparison.promised == Iso230Figure::EUp ? "E up" : "E down";
-}
-
 /// Of an M that is within the limit, as it was before.
 std::string noBetterText(bool isAngular, const Comparison& comparison)
 {
-    const std::string name = promisedName(comparison);
+    const std::string name = shortFigureName(comparison.promised);
     const double before = comparison.before[comparison.promised].value.value_or(0.0);
     const double after = comparison.after[comparison.promised].value.value_or(0.0);
     const auto [value, limit] = comparedQuantities(after, before, isAngular);
@@ -92,7 +84,7 @@ std::string promiseText(bool isAngular, const Comparison& comparison)
 {
     if (!comparison.heldOut)
         return {};
-    const std::string name = promisedName(comparison);
+    const std::string name = shortFigureName(comparison.promised);
     std::string text = "\nHeld out, at targets that the table did not know: " + name + " "
         + fineText(comparison.heldOut->range, isAngular) + ", largest "
         + fineText(comparison.heldOut->largest, isAngular) + ", rms "
@@ -115,10 +107,9 @@ std::string promiseText(bool isAngular, const Comparison& comparison)
 }
 
 /// From the datum.
-std::string residualText(
-    const Measurement& after, const Comparison& comparison, const std::optional<double>& position)
+std::string residualText(const Measurement& after, const Comparison& comparison,
+    const std::optional<PlacedDeviation>& datum)
 {
-    const auto datum = deviationDatums(comparison.before, comparison.after, position).after;
     std::vector<Value> shown;
     for (const RemainingError& error : comparison.residual)
         shown.insert(
@@ -157,8 +148,8 @@ Json numberOrNothing(const Value& value)
 
 } // namespace
 
-std::string comparisonText(
-    const Measurement& after, const Comparison& comparison, const std::optional<double>& datum)
+std::string comparisonText(const Measurement& after, const Comparison& comparison,
+    const std::optional<PlacedDeviation>& datum)
 {
     const std::string verdict = verdictsText(after, comparison.verdicts)
         + verdictsText(after, comparison.verdictsOfAllValues, verdictOfAllValuesHeading);

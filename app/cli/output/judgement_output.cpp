@@ -98,9 +98,13 @@ std::string driftText(const Measurement& measurement, const Judgement& judgement
     std::string text = "\nDrift of the runs, in " + fine.unit() + "\n" + table.text();
     if (judgement.withoutOffsets) {
         const auto& without = *judgement.withoutOffsets;
-        text += "  Without the offsets of the runs: A "
-            + fineOrNothing(without[Iso230Figure::A].value, measurement.isAngular) + ", R "
-            + fineOrNothing(without[Iso230Figure::R].value, measurement.isAngular) + "\n";
+        const auto said = [&](Iso230Figure both) {
+            const Iso230Figure figure = figureStandingFor(both, without);
+            return shortFigureName(figure) + " "
+                + fineOrNothing(without[figure].value, measurement.isAngular);
+        };
+        text += "  Without the offsets of the runs: " + said(Iso230Figure::A) + ", "
+            + said(Iso230Figure::R) + "\n";
     }
     return text;
 }
@@ -249,6 +253,15 @@ Json vdiJson(const std::optional<Vdi3441Figures>& vdi)
 }
 
 } // namespace
+
+std::string shortFigureName(Iso230Figure figure)
+{
+    std::string name(figureName(figure));
+    for (const auto& [ending, direction] : {std::pair("Up", " up"), std::pair("Down", " down")})
+        if (name.ends_with(ending))
+            return name.substr(0, name.size() - std::string_view(ending).size()) + direction;
+    return name;
+}
 
 std::string measurementSummary(const Measurement& measurement)
 {

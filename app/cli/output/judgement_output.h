@@ -12,6 +12,9 @@ namespace axiscomp::app {
 // What is said of a measurement, for people and as documents of --json (docs/cli.md). Documents
 // have mm and degrees, unrounded; targets and runs count from 1.
 
+/// "A", "A up"
+[[nodiscard]] std::string shortFigureName(Iso230Figure figure);
+
 /// "9 targets from -20 to 20 mm, 5 runs up, 5 runs down"
 [[nodiscard]] std::string measurementSummary(const Measurement& measurement);
 

@@ -148,14 +148,14 @@ std::optional<PlacedDeviation> deviationDatum(
     return PlacedDeviation{at, before.deviation + share * (next->deviation - before.deviation)};
 }
 
-TwoDatums deviationDatums(
-    const Iso230Figures& before, const Iso230Figures& after, const std::optional<double>& position)
+TwoDatums deviationDatums(const DatumSide& before, const DatumSide& after)
 {
+    const auto& position = before.stated ? before.stated : after.stated;
     TwoDatums datums;
-    datums.before = deviationDatum(before, position);
+    datums.before = deviationDatum(before.figures, position);
     const bool isOfFirst = !position && datums.before;
-    datums.after =
-        deviationDatum(after, isOfFirst ? std::optional(datums.before->position) : position);
+    datums.after = deviationDatum(
+        after.figures, isOfFirst ? std::optional(datums.before->position) : position);
     return datums;
 }
 

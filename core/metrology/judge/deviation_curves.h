@@ -33,14 +33,18 @@ struct PlacedDeviation {
 [[nodiscard]] std::optional<PlacedDeviation> deviationDatum(
     const Iso230Figures& figures, const std::optional<double>& position = {});
 
-/// Of two measurements that are read side by side: at one position, as far as both have it.
+/// One of two measurements that are read side by side.
+struct DatumSide {
+    const Iso230Figures& figures; ///< may be without targets
+    std::optional<double> stated = {}; ///< position that a person has stated for it (statedDatum)
+};
 struct TwoDatums {
     std::optional<PlacedDeviation> before;
     std::optional<PlacedDeviation> after;
 };
-/// Either may be without targets.
-[[nodiscard]] TwoDatums deviationDatums(const Iso230Figures& before, const Iso230Figures& after,
-    const std::optional<double>& position = {});
+/// At one position, as far as both have it: that which was stated for the first one, else for the
+/// second one, else the first target of the first one that has any.
+[[nodiscard]] TwoDatums deviationDatums(const DatumSide& before, const DatumSide& after);
 
 /// A deviation as it is shown; without a datum as it was measured.
 [[nodiscard]] double fromDatum(double deviation, const std::optional<PlacedDeviation>& datum);

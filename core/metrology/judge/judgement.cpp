@@ -65,7 +65,8 @@ Text verdictOfAllText(const Verdict& verdict, bool isAngular, UnitLetters letter
 {
     const double limit = verdict.tolerance.value;
     const double value = verdict.value.value_or(limit);
-    const ComparedDigits shown = comparedDigits(value, limit, isAngular);
+    constexpr int decimals = 3;
+    const ComparedDigits shown = verdictDigits(verdict, isAngular, decimals);
     const auto quantity = [&](const FineUnit& unit, double amount) {
         return Quantity{unit.digits(amount, shown.decimals),
             letters == UnitLetters::Ascii ? unit.name : unit.symbol};

@@ -225,4 +225,21 @@ ComparedDigits verdictDigits(const Verdict& verdict, bool isAngular, int decimal
     return comparedDigits(value, limit, isAngular, decimals, verdict.uncertainty.value_or(0.0));
 }
 
+int verdictDecimals(
+    std::initializer_list<const Verdict*> verdicts, const FineUnit& unit, int decimals)
+{
+    for (const Verdict* verdict : verdicts)
+        if (verdict && verdict->value)
+            decimals = decimalsApart(unit, *verdict->value, verdict->tolerance.value, decimals,
+                verdict->uncertainty.value_or(0.0));
+    return decimals;
+}
+
+const Verdict* verdictOf(std::span<const Verdict> verdicts, Iso230Figure figure)
+{
+    const auto found = std::ranges::find(
+        verdicts, figure, [](const Verdict& verdict) { return verdict.tolerance.figure; });
+    return found == verdicts.end() ? nullptr : &*found;
+}
+
 } // namespace axiscomp

@@ -5,6 +5,8 @@
 #include "core/metrology/fine_quantity.h"
 #include "core/metrology/judge/iso230.h"
 
+#include <initializer_list>
+
 namespace axiscomp {
 
 /// What the uncertainty of a measured length is made of; ours, in the manner of ISO/TR 230-9, for a
@@ -78,5 +80,11 @@ struct Verdict {
     double value, double tolerance, std::optional<double> uncertainty);
 /// How value, tolerance and U of a verdict are shown, so that they read as they were decided.
 [[nodiscard]] ComparedDigits verdictDigits(const Verdict& verdict, bool isAngular, int decimals);
+/// In a table that has a unit for all: at least these, and as many more as the verdicts of a figure
+/// need. Null: there is none.
+[[nodiscard]] int verdictDecimals(
+    std::initializer_list<const Verdict*> verdicts, const FineUnit& unit, int decimals);
+/// Null: there is no tolerance of it.
+[[nodiscard]] const Verdict* verdictOf(std::span<const Verdict> verdicts, Iso230Figure figure);
 
 } // namespace axiscomp

@@ -3,11 +3,10 @@
 
 #include "core/curve/smoothing_spline.h"
 #include "core/metrology/fit/measurement_fit.h"
+#include "core/metrology/joined_files.h"
 #include "core/store/backup_json.h"
 #include "core/table/target_axis.h"
 #include "core/text/number_text.h"
-#include "core/text/text_file.h"
-#include "core/text/token_scanner.h"
 
 #include <algorithm>
 #include <cmath>
@@ -178,29 +177,29 @@ Result<void> checkComparable(
     return checkComparedRanges(before, after);
 }
 
-bool areOther(const std::string& one, const std::string& other)
+/// A remark on one of the two.
+Text ofMeasurement(bool isAfter, Text remark)
 {
-    const std::string_view a = trimmed(one);
-    const std::string_view b = trimmed(other);
-    return !a.empty() && !b.empty() && !sameLetters(a, b);
+    return (isAfter ? AXISCOMP_TEXT("Measurement", "second measurement: {remark}")
+                    : AXISCOMP_TEXT("Measurement", "first measurement: {remark}"))
+        .with("remark", std::move(remark));
 }
 
-/// What people write of a machine is no proof that it is another one.
-void warnOfOtherMachine(
-    Comparison& comparison, const MeasurementHeader& before, const MeasurementHeader& after)
+std::vector<Text> statementsOf(const TextsOfFiles& said)
 {
-    if (areOther(before.machine, after.machine))
-        comparison.warnings.push_back({"OtherMachine",
-            AXISCOMP_TEXT("Measurement",
-                "the first measurement is of the machine {before}, the second of {after}")
-                .with("before", before.machine)
-                .with("after", after.machine)});
-    if (areOther(before.serial, after.serial))
-        comparison.warnings.push_back({"OtherSerial",
-            AXISCOMP_TEXT("Measurement",
-                "the first measurement has the serial number {before}, the second {after}")
-                .with("before", before.serial)
-                .with("after", after.serial)});
+    std::vector<Text> texts;
+    for (const auto& each : said)
+        if (!each.said.empty())
+            texts.emplace_back(Verbatim{each.said});
+    return texts;
+}
+
+void warnOfOther(std::vector<JudgeWarning>& warnings, std::string_view name,
+    const TextPattern& text, const TextsOfFiles& before, const TextsOfFiles& after)
+{
+    if (areAllDifferent(before, after))
+        warnings.push_back(
+            {name, text.with("before", statementsOf(before)).with("after", statementsOf(after))});
 }
 
 void warnOfLesserTravel(Comparison& comparison, const Measurement& before, const Measurement& after)
@@ -499,14 +498,12 @@ void judgeAllValues(Comparison& comparison, const Measurement& before, const Mea
     comparison.beforeOfAllValues = figuresOfAll(before, request.isByTemperature);
     comparison.afterOfAllValues = figuresOfAll(after, request.isByTemperature);
     if (comparison.beforeOfAllValues)
-        comparison.warnings.push_back({"ValuesExcluded",
-            AXISCOMP_TEXT("Measurement", "first measurement: {remark}")
-                .with("remark", excludedText(before.excludedCount()))});
+        comparison.warnings.push_back(
+            {"ValuesExcluded", ofMeasurement(false, excludedText(before.excludedCount()))});
     if (!comparison.afterOfAllValues)
         return;
-    comparison.warnings.push_back({"ValuesExcluded",
-        AXISCOMP_TEXT("Measurement", "second measurement: {remark}")
-            .with("remark", excludedText(after.excludedCount()))});
+    comparison.warnings.push_back(
+        {"ValuesExcluded", ofMeasurement(true, excludedText(after.excludedCount()))});
     comparison.verdictsOfAllValues =
         verdicts(*comparison.afterOfAllValues, request.tolerances, request.uncertainty);
     std::ranges::move(
@@ -520,6 +517,27 @@ bool isByTemperature(const CalibrationRecord& record)
 }
 
 } // namespace
+
+std::vector<JudgeWarning> machineWarnings(const Measurement* before, const Measurement* after)
+{
+    std::vector<JudgeWarning> warnings;
+    for (const bool isAfter : {false, true})
+        if (const Measurement* one = isAfter ? after : before)
+            for (JudgeWarning& warning : otherMachines(*one))
+                warnings.push_back({warning.name, ofMeasurement(isAfter, std::move(warning.text))});
+    if (!before || !after)
+        return warnings;
+    using Header = MeasurementHeader;
+    warnOfOther(warnings, "OtherMachine",
+        AXISCOMP_TEXT("Measurement",
+            "the first measurement is of the machine {before}, the second of {after}"),
+        saidByFiles(*before, &Header::machine), saidByFiles(*after, &Header::machine));
+    warnOfOther(warnings, "OtherSerial",
+        AXISCOMP_TEXT("Measurement",
+            "the first measurement has the serial number {before}, the second {after}"),
+        saidByFiles(*before, &Header::serial), saidByFiles(*after, &Header::serial));
+    return warnings;
+}
 
 std::optional<TwoRanges> lesserRange(const Measurement& before, const Measurement& after)
 {
@@ -657,7 +675,7 @@ Result<Comparison> compareMeasurements(
     judgePrediction(comparison, request, after.isAngular);
     comparison.verdicts = verdicts(comparison.after, request.tolerances, request.uncertainty);
     judgeAllValues(comparison, before, after, request);
-    warnOfOtherMachine(comparison, before.header, after.header);
+    std::ranges::move(machineWarnings(&before, &after), std::back_inserter(comparison.warnings));
     warnOfLaterMeasurement(comparison, after.header.date, request.lastDate);
     return comparison;
 }

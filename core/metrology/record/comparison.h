@@ -56,6 +56,11 @@ enum class CorrectedAlike {
 [[nodiscard]] CorrectedAlike areCorrectedAlike(
     const CorrectedSide& before, const CorrectedSide& after);
 
+/// "OtherMachine" and "OtherSerial": of the joined files of each measurement (otherMachines), and
+/// where the two state none in common. Null: it is not there.
+[[nodiscard]] std::vector<JudgeWarning> machineWarnings(
+    const Measurement* before, const Measurement* after);
+
 /// Where the second measurement covers less of the axis than the first one: what both cover. The
 /// figures are ranges over targets, so that over a shorter travel they are smaller by themselves.
 /// As much as the first one: what lacks at both ends together is no longer than the mean distance
@@ -121,7 +126,7 @@ struct Comparison {
     std::optional<Iso230Figures> afterOfAllValues = {};
     std::vector<Verdict> verdictsOfAllValues = {}; ///< with afterOfAllValues; they decide nothing
     /// "ValuesExcluded"; "OtherVerdict" where all values say otherwise than those in use;
-    /// "OtherMachine", "OtherSerial" where the two state different ones; "LesserRange";
+    /// "OtherMachine", "OtherSerial" (machineWarnings); "LesserRange";
     /// "WiderTargets" (widerTargetsText);
     /// "EarlierMeasurement" where the table was measured again after the second one (isEarlier).
     std::vector<JudgeWarning> warnings = {};

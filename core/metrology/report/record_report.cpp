@@ -238,23 +238,12 @@ void warnOfOtherVerdict(ReportContent& content, const Measurement& last)
         std::back_inserter(content.warnings));
 }
 
-void warnOfOtherMachines(ReportContent& content)
-{
-    if (content.before)
-        for (const JudgeWarning& warning : otherMachines(content.before->measurement))
-            content.warnings.push_back({warning.name,
-                AXISCOMP_TEXT("Measurement", "first measurement: {remark}")
-                    .with("remark", warning.text)});
-    if (content.after)
-        for (const JudgeWarning& warning : otherMachines(content.after->measurement))
-            content.warnings.push_back({warning.name,
-                AXISCOMP_TEXT("Measurement", "second measurement: {remark}")
-                    .with("remark", warning.text)});
-}
-
 void addWarnings(ReportContent& content)
 {
-    warnOfOtherMachines(content);
+    const auto measurementOf = [](const std::optional<ReportMeasurement>& one) {
+        return one ? &one->measurement : nullptr;
+    };
+    content.warnings = machineWarnings(measurementOf(content.before), measurementOf(content.after));
     if (content.before && content.after)
         warnOfOtherTargets(content, content.before->measurement, content.after->measurement);
     const auto& last = content.after ? content.after : content.before;

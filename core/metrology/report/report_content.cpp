@@ -84,11 +84,10 @@ private:
     /// The zero of an instrument is arbitrary, and may be another one in each measurement.
     void placeCurves()
     {
-        std::optional<double> stated;
-        for (const Judged* one : {&m_before, &m_after})
-            if (one->reported && !stated)
-                stated = one->reported->datum;
-        const TwoDatums datums = deviationDatums(m_before.figures, m_after.figures, stated);
+        const auto side = [](const Judged& one) {
+            return DatumSide{one.figures, one.reported ? one.reported->datum : std::nullopt};
+        };
+        const TwoDatums datums = deviationDatums(side(m_before), side(m_after));
         for (const auto& [one, datum] :
             {std::pair(&m_before, &datums.before), std::pair(&m_after, &datums.after)})
             if (hasPlot(*one))
@@ -130,10 +129,11 @@ private:
         return one.reported ? one.figures[figure].value : std::nullopt;
     }
     /// A, or where all runs are of one direction that of it.
-    [[nodiscard]] Iso230Figure accuracyFigure() const
+    [[nodiscard]] static Iso230Figure accuracyFigure(
+        const Iso230Figures& before, const Iso230Figures& after)
     {
         for (const Iso230Figure figure : {Iso230Figure::A, Iso230Figure::AUp, Iso230Figure::ADown})
-            if (valueOf(m_before, figure) || valueOf(m_after, figure))
+            if (before[figure].value || after[figure].value)
                 return figure;
         return Iso230Figure::A;
     }
@@ -141,7 +141,7 @@ private:
     /// The sentence that is read first.
     void addOutcome()
     {
-        const Iso230Figure figure = accuracyFigure();
+        const Iso230Figure figure = accuracyFigure(m_before.figures, m_after.figures);
         const Text symbol = Verbatim{std::string(figureSymbol(figure))};
         const auto before = valueOf(m_before, figure);
         const auto after = valueOf(m_after, figure);
@@ -193,21 +193,25 @@ private:
     /// Who reads that sentence alone has to know that values were chosen.
     void addOutcomeOfAllValues()
     {
-        const auto& before = m_before.ofAll()[Iso230Figure::A].value;
-        const auto& after = m_after.ofAll()[Iso230Figure::A].value;
+        const Iso230Figure figure = accuracyFigure(m_before.ofAll(), m_after.ofAll());
+        const auto& before = m_before.ofAll()[figure].value;
+        const auto& after = m_after.ofAll()[figure].value;
         if (!hasExcluded() || !(before || after))
             return;
+        const Text symbol = Verbatim{std::string(figureSymbol(figure))};
         if (m_after.reported)
             paragraph(AXISCOMP_TEXT("Report",
-                          "Accuracy A of all values, with those that are left out: {before} "
+                          "Accuracy {figure} of all values, with those that are left out: {before} "
                           "before, {after} after.")
+                          .with("figure", symbol)
                           .with("before", fine(before))
                           .with("after", fine(after)),
                 true);
         else
             paragraph(AXISCOMP_TEXT("Report",
-                          "Accuracy A of all values, with those that are left out: {before} "
+                          "Accuracy {figure} of all values, with those that are left out: {before} "
                           "before.")
+                          .with("figure", symbol)
                           .with("before", fine(before)),
                 true);
     }
@@ -569,14 +573,21 @@ private:
             const auto text = [&shown](const FineUnit& unit, double value) {
                 return quantityText(unit.digits(value, shown.decimals), unit.symbol);
             };
-            table.rows.push_back({figureText(verdict.tolerance.figure),
-                verdict.value ? text(shown.value, *verdict.value) : fine(verdict.value),
+            table.rows.push_back({figureText(verdict.tolerance.figure), verdictValue(verdict),
                 text(shown.limit, verdict.tolerance.value),
                 verdict.uncertainty ? text(shown.uncertainty, *verdict.uncertainty) : notStated(),
                 verdictText(verdict.result)});
         }
         addVerdictsOfAllValues(table, isAfter ? m_after : m_before);
         m_document.blocks.emplace_back(std::move(table));
+    }
+
+    [[nodiscard]] Text verdictValue(const Verdict& verdict) const
+    {
+        if (!verdict.value)
+            return fine(verdict.value);
+        const auto shown = verdictDigits(verdict, m_content.isAngular, figureDecimals);
+        return quantityText(shown.value.digits(*verdict.value, shown.decimals), shown.value.symbol);
     }
 
     /// Beside those of the values in use.
@@ -589,17 +600,9 @@ private:
                 AXISCOMP_TEXT("Report", "verdict, all values")});
         const auto ofAll =
             verdicts(*judged.ofAllValues, m_content.tolerances, m_content.uncertainty);
-        for (std::size_t n = 0; n < ofAll.size(); ++n) {
-            const auto& value = ofAll[n].value;
-            const double limit = ofAll[n].tolerance.value;
-            const auto shown =
-                comparedDigits(value.value_or(limit), limit, m_content.isAngular, figureDecimals);
-            table.rows[n].insert(table.rows[n].end(),
-                {value ? quantityText(
-                     shown.value.digits(*value, shown.decimals), shown.value.symbol)
-                       : fine(value),
-                    verdictText(ofAll[n].result)});
-        }
+        for (std::size_t n = 0; n < ofAll.size(); ++n)
+            table.rows[n].insert(
+                table.rows[n].end(), {verdictValue(ofAll[n]), verdictText(ofAll[n].result)});
     }
 
     void addTable()

@@ -172,6 +172,30 @@ private Q_SLOTS:
             unknown.err.constData());
     }
 
+    /// There is no file called "-", and no number of dimensions would help.
+    void utf16IsSaidOfStandardInputAsOfAFile()
+    {
+        const Sandbox box;
+        QByteArray text = "\xFF\xFE";
+        for (const char c : linearError)
+            text += QByteArray(1, c) + '\0';
+        box.file("x.csv", text);
+        for (const QByteArray& utf16 : {text, text.mid(2)})
+            for (const QStringList& command :
+                {QStringList{"inspect", "-"}, QStringList{"lookup", "-", "50"},
+                    QStringList{"lookup", "-", "50", "--dims", "1"}}) {
+                const ProgramRun run = box.run(command, utf16);
+                VERIFY_CODE(run, 3);
+                QVERIFY2(run.err.contains("<stdin>: error: this is not a text file: found UTF-16 "
+                                          "text"),
+                    run.err.constData());
+            }
+        const ProgramRun file = box.run({"lookup", "x.csv", "50"});
+        VERIFY_CODE(file, 3);
+        QVERIFY2(file.err.contains("x.csv: error: this is not a text file: found UTF-16 text"),
+            file.err.constData());
+    }
+
     void aFileOfAnotherControllerIsInspected()
     {
         const Sandbox box;

@@ -88,6 +88,23 @@ private Q_SLOTS:
             text.contains("0.700 nm 5.000 nm uncertainty not stated passed"), run.out.constData());
     }
 
+    /// A of both directions is not defined there.
+    void runsOfOneDirectionHaveItsFiguresWithoutTheirOffsets()
+    {
+        const Sandbox box;
+        const QString file = publicFile("b02_y.csv");
+        const ProgramRun both = box.run({"judge", file});
+        VERIFY_CODE(both, 0);
+        QVERIFY2(both.out.contains("Without the offsets of the runs: A 113.987 um, R 33.085 um\n"),
+            both.out.constData());
+        const ProgramRun up = box.run(
+            {"judge", file, "--exclude", "run:down:1,run:down:2,run:down:3,run:down:4,run:down:5"});
+        VERIFY_CODE(up, 0);
+        QVERIFY2(up.out.contains("Without the offsets of the runs: A up 100.680 um, R up 12.939 "
+                                 "um\n"),
+            up.out.constData());
+    }
+
     /// Set to zero 12.5 mm away. Documents have the values as they were read.
     void theZeroOfTheInstrumentIsInNoList()
     {

@@ -168,17 +168,20 @@ private Q_SLOTS:
     {
         const Measurement before = measurementOf("bifrost.csv");
         Measurement after = before;
-        const auto datums = [&](double by, std::optional<double> position = {}) {
+        const auto datums = [&](double by, std::optional<double> first = {},
+                                std::optional<double> second = {}) {
             for (std::size_t i = 0; i < after.targets.size(); ++i)
                 after.targets[i] = before.targets[i] + by;
-            return deviationDatums(iso230Figures(before), iso230Figures(after), position);
+            return deviationDatums({iso230Figures(before), first}, {iso230Figures(after), second});
         };
         QCOMPARE(datums(-5.1).before->position, 15.0);
         QCOMPARE(datums(-5.1).after->position, 15.0);
         QVERIFY(isNear(datums(-5.1).after->deviation, (0.003226 - 0.001888) / 2.0));
         QCOMPARE(datums(5.0).after->position, 20.0); // the nearest that it has
         QCOMPARE(datums(0.0, 45.6).after, datums(0.0, 45.6).before);
-        const TwoDatums alone = deviationDatums({}, iso230Figures(before));
+        QCOMPARE(datums(0.0, {}, 45.6).before, datums(0.0, 45.6).before);
+        QCOMPARE(datums(0.0, 45.6, 20.0).after->position, 45.6); // that of the first one
+        const TwoDatums alone = deviationDatums({Iso230Figures()}, {iso230Figures(before)});
         QVERIFY(!alone.before && alone.after->position == 15.0);
     }
 

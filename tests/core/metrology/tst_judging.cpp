@@ -752,6 +752,34 @@ private Q_SLOTS:
             (std::vector<std::string>{
                 "of all values accuracy A is 204.759 um (tolerance 100.000 um: failed)"}));
     }
+
+    void aRowHasTheDigitsThatEachOfItsVerdictsNeeds()
+    {
+        const Verdict far{{Figure::E, 0.0105}, 0.005, std::nullopt};
+        const Verdict near{{Figure::E, 0.0105}, 0.0105004, std::nullopt};
+        const Verdict byU{{Figure::E, 0.0105}, 0.01000004, 0.0005};
+        const FineUnit um;
+        QCOMPARE(verdictDecimals({}, um, 2), 2);
+        QCOMPARE(verdictDecimals({&far, nullptr}, um, 2), 2);
+        QCOMPARE(verdictDecimals({&near, &far}, um, 2), 4);
+        QCOMPARE(verdictDecimals({&far, &byU}, um, 2), 5);
+        const Verdict undefined{{Figure::E, 0.0105}, std::nullopt, std::nullopt};
+        QCOMPARE(verdictDecimals({&undefined}, um, 2), 2);
+        const std::array all{Verdict{{Figure::A, 0.01}, {}, {}}, near};
+        QCOMPARE(verdictOf(all, Figure::E), &all[1]);
+        QVERIFY(!verdictOf(all, Figure::M));
+    }
+
+    /// U brings it above the tolerance by less than three decimals show.
+    void aVerdictOfAllValuesReadsAsItWasDecided()
+    {
+        const Verdict inUse{{Figure::A, 0.0105}, 0.005, 0.0005, VerdictResult::Passed};
+        const Verdict ofAll{{Figure::A, 0.0105}, 0.0100004, 0.0005, VerdictResult::Undecided};
+        const auto warnings = otherVerdicts(std::array{inUse}, std::array{ofAll}, false);
+        QCOMPARE(warnings.size(), std::size_t{1});
+        QCOMPARE(warnings[0].text.english(),
+            "of all values accuracy A is 10.0004 um (tolerance 10.5000 um: undecided)");
+    }
 };
 
 AXISCOMP_TEST(tst_Judging)

@@ -139,6 +139,27 @@ private Q_SLOTS:
         QCOMPARE(text(model, row, 5), QStringLiteral("204.76"));
     }
 
+    void aFigureReadsAsItWasDecided()
+    {
+        QTemporaryDir folder;
+        QFile file(folder.filePath(QStringLiteral("near.csv")));
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write("target [mm],direction,run,deviation [um]\n0,+,1,0\n10,+,1,10.0004\n0,-,1,0\n"
+                   "10,-,1,0\n");
+        file.close();
+        RecordModel record;
+        FiguresModel model(record);
+        record.addFiles({file.fileName()});
+        QVERIFY(settled(record));
+        record.setTolerance(Iso230Figure::E, 0.01);
+        QVERIFY(settled(record));
+        const int row = rowOf(model, QStringLiteral("E"));
+        QCOMPARE(text(model, row, 2), QStringLiteral("10.0004"));
+        QCOMPARE(text(model, row, 3), QStringLiteral("10.0000"));
+        QVERIFY(text(model, row, 4).startsWith(QStringLiteral("failed")));
+        QCOMPARE(text(model, rowOf(model, QStringLiteral("E↑")), 2), QStringLiteral("10.00"));
+    }
+
     void aFigureThatIsNotDefinedSaysSo()
     {
         QTemporaryDir folder;
@@ -228,6 +249,10 @@ private Q_SLOTS:
         QCOMPARE(drift.rowCount(), 8);
         QCOMPARE(text(drift, 6, 3), QStringLiteral("113.99 µm"));
         QCOMPARE(text(drift, 7, 3), QStringLiteral("33.08 µm"));
+        QCOMPARE(text(drift, 6, 1), QStringLiteral("100.68 µm"));
+        QCOMPARE(text(drift, 6, 2), QStringLiteral("95.60 µm"));
+        QCOMPARE(text(drift, 7, 1), QStringLiteral("12.94 µm"));
+        QCOMPARE(text(drift, 7, 2), QStringLiteral("20.45 µm"));
         QCOMPARE(runs.rowCount(), 10);
         QCOMPARE(heading(runs, 3), QStringLiteral("Slope [µm/m]"));
         QVERIFY(runs.valuesOf(6) == (Exclusion{Approach::Down, {}, 2}));

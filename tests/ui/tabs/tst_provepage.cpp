@@ -13,6 +13,8 @@
 #include <QTableView>
 #include <QTest>
 
+#include "ui/drawing/custom_plot.h"
+
 namespace tst_provepage {
 
 using namespace axiscomp;
@@ -139,6 +141,19 @@ private Q_SLOTS:
         QVERIFY(!bench.user.sees("proveHints"));
     }
 
+    /// A is 1 + 2 sqrt(2) um.
+    void aFigureReadsAsItWasDecided()
+    {
+        PageFixture bench;
+        const CalibrationRecord record = withTolerance(0.0038284);
+        QVERIFY(showProve(bench, record));
+        QVERIFY(addAfter(bench, test::goodAfterMeasurement(test::stateOf(record))));
+        QTRY_COMPARE(text(bench, Iso230Figure::A, Column::Verdict), QStringLiteral("failed"));
+        QCOMPARE(text(bench, Iso230Figure::A, Column::After), QStringLiteral("3.82843"));
+        QCOMPARE(text(bench, Iso230Figure::A, Column::Limit), QStringLiteral("3.82840"));
+        QCOMPARE(text(bench, Iso230Figure::M, Column::After), QStringLiteral("1.00"));
+    }
+
     /// A column that takes what the others leave is as narrow as that.
     void theVerdictIsReadWholeHoweverNarrowTheWindow()
     {
@@ -191,6 +206,9 @@ private Q_SLOTS:
             QStringLiteral("0 = mean at -20 mm"));
         QCOMPARE(bench.user.the("residualPlot").accessibleDescription(),
             QStringLiteral("What is left lies between 0.00 µm and 1.00 µm."));
+        const auto* plot = bench.user.the("residualPlot").findChild<QCustomPlot*>();
+        QVERIFY(plot);
+        QCOMPARE(plot->yAxis->label(), QStringLiteral("Deviation [µm]\n0 = mean at -20 mm"));
     }
 
     void whichTableWasActiveIsSaidByThePersonWhereTheFileDoesNot()

@@ -429,6 +429,40 @@ private Q_SLOTS:
         QCOMPARE(result->warnings[1].name, std::string_view("OtherSerial"));
     }
 
+    /// Of joined files each may be of another one.
+    void machinesOfJoinedFilesAreSaidAndComparedOneByOne()
+    {
+        Measurement before = measured(&errorBefore);
+        Measurement after = measured(&errorBefore);
+        const auto header = [](const char* machine) {
+            MeasurementHeader one;
+            one.machine = machine;
+            return one;
+        };
+        before.header.machine = "M1";
+        before.joined = {header(""), header("M1"), header("M2")};
+        after.header.machine = "m2";
+        const auto said = [&](const Measurement* first, const Measurement* second) {
+            std::vector<std::string> texts;
+            for (const JudgeWarning& warning : machineWarnings(first, second))
+                texts.push_back(std::string(warning.name) + ": " + warning.text.english());
+            return texts;
+        };
+        const std::string ofFiles = "OtherMachine: first measurement: the files are of different "
+                                    "machines: M1 (file 2), M2 (file 3)";
+        QCOMPARE(said(&before, &after), std::vector<std::string>{ofFiles});
+        QCOMPARE(said(&before, nullptr), std::vector<std::string>{ofFiles});
+        QCOMPARE(said(nullptr, &after), std::vector<std::string>{});
+        after.header.machine = "M3";
+        QCOMPARE(said(&before, &after),
+            (std::vector<std::string>{ofFiles,
+                "OtherMachine: the first measurement is of the machine M1, M2, the second of M3"}));
+        const auto result = compareMeasurements(before, after, promised(1e-3));
+        VERIFY_RESULT(result);
+        QCOMPARE(result->warnings.size(), std::size_t{2});
+        QCOMPARE(result->warnings[0].text.english(), ofFiles.substr(ofFiles.find("first")));
+    }
+
     void asPredictedIsASumOfWhatWasHeldOutAndWhatCannotBeTold()
     {
         const auto after = measured([](double x) { return 0.1 * errorBefore(x); }, 1e-4);

@@ -64,6 +64,11 @@ private Q_SLOTS:
             r.before->files[0].measurement.header.axis = "X";
             r.tables[0].table.target = "Y";
         });
+        row("onto a table that was active", false,
+            [](CalibrationRecord& r) { r.fit->active = {r.tables[0].table}; });
+        row("drift taken out", false,
+            [](CalibrationRecord& r) { r.before->corrections.drift = DriftRemoval::Offset; });
+        row("no fit", false, [](CalibrationRecord& r) { r.fit.reset(); });
         row("no measurement", false, [](CalibrationRecord& r) { r.before.reset(); });
         row("no table", false, [](CalibrationRecord& r) { r.tables.clear(); });
         row("an exclusion that fits no value", false, [](CalibrationRecord& r) {
@@ -100,6 +105,10 @@ private Q_SLOTS:
         settings.drift = DriftRemoval::Offset;
         QVERIFY(!isRead());
         settings.drift.reset();
+        const KnownTables active{Verbatim{"x.csv"}, {report.tables[0].table}, {}};
+        report.state.active = &active;
+        QVERIFY(!isRead());
+        report.state.active = nullptr;
         // One of several is enough.
         report.tables.push_back(report.tables.front());
         QVERIFY(isRead());

@@ -124,6 +124,19 @@ private Q_SLOTS:
         QVERIFY(alike.find("Warning") == std::string::npos);
     }
 
+    void anotherMachineAfterwardsIsSaid()
+    {
+        CalibrationRecord record = plainRecord();
+        record.after = {RecordedAfter{*record.before, {}}};
+        record.before->files[0].measurement.header.machine = "M1";
+        record.after[0].measurement.files[0].measurement.header.machine = "M2";
+        const auto content = reportContent(record, "1");
+        VERIFY_RESULT(content);
+        QVERIFY(reportHtml(reportDocument(*content))
+                    .find("Warning: the first measurement is of the machine M1, the second of M2.")
+            != std::string::npos);
+    }
+
     /// The page stays one page.
     void ofManyFilesAFewAreNamed()
     {

@@ -391,6 +391,23 @@ private Q_SLOTS:
         QVERIFY(text.contains(QStringLiteral("was made without: E↑ 17.79 µm, rms")));
     }
 
+    void allValuesOfOneDirectionHaveItsAccuracy()
+    {
+        ReportContent content = wholeContent();
+        for (auto* reported : {&content.before, &content.after})
+            std::erase_if((*reported)->measurement.values,
+                [](const RunValue& value) { return value.direction == Approach::Down; });
+        QString text = textsOf(htmlOf(content)).join(u'|');
+        QVERIFY2(text.contains(QStringLiteral("Accuracy A↑ of all values, with those that are left "
+                                              "out: 18.07 µm before, 1.81 µm after.")),
+            qPrintable(text));
+        content.after.reset();
+        text = textsOf(htmlOf(content)).join(u'|');
+        QVERIFY2(text.contains(QStringLiteral("Accuracy A↑ of all values, with those that are left "
+                                              "out: 18.07 µm before.")),
+            qPrintable(text));
+    }
+
     void aVerdictThatIsMissedByLittleReadsSo()
     {
         ReportContent content = wholeContent();
@@ -407,6 +424,25 @@ private Q_SLOTS:
                                  shown.limit.digits(accuracy - 1e-7, shown.decimals)))),
             qPrintable(text));
         QVERIFY(shown.decimals > 2);
+    }
+
+    /// 0.1 nm above it, with U.
+    void aVerdictOfAllValuesThatUDecidesReadsSo()
+    {
+        ReportContent content = wholeContent();
+        Measurement& after = content.after->measurement;
+        after.values[7].deviation = 0.05;
+        const double all = iso230Figures(after)[Iso230Figure::A].value.value_or(0.0);
+        after.values[7].isUsed = false;
+        const Verdict verdict{{Iso230Figure::A, all + 0.0011 - 1e-7}, all, 0.0011};
+        content.tolerances = {verdict.tolerance};
+        const auto shown = verdictDigits(verdict, false, 2);
+        QVERIFY(shown.decimals > 2);
+        const QString text = textsOf(htmlOf(content)).join(u'|');
+        QVERIFY2(text.contains(
+                     QStringLiteral("|%1 µm|undecided")
+                         .arg(QString::fromStdString(shown.value.digits(all, shown.decimals)))),
+            qPrintable(text));
     }
 
     void curvesShowTheMeans()
