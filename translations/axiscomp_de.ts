@@ -8833,6 +8833,26 @@
         <source>The open record will not note this write: {reason}.</source>
         <translation>Das offene Protokoll wird dieses Schreiben nicht vermerken: {reason}.</translation>
     </message>
+    <message>
+        <source>nothing says for which measuring system of axis {axis} the table is: it is written for 0; the setting {key} states another one</source>
+        <translation>nichts sagt, für welches Messsystem der Achse {axis} die Tabelle ist: sie wird für 0 geschrieben; die Einstellung {key} nennt ein anderes</translation>
+    </message>
+    <message>
+        <source>a table for {element} alone</source>
+        <translation>eine Tabelle nur für {element}</translation>
+    </message>
+    <message>
+        <source>CompPos and CompPos2 of the motor; the table is taken for both, and written for both</source>
+        <translation>CompPos und CompPos2 des Motors; die Tabelle wird für beide genommen und für beide geschrieben</translation>
+    </message>
+    <message>
+        <source>axis {axis}, whose numbers are taken to be in mm</source>
+        <translation>Achse {axis}, deren Zahlen als mm genommen werden</translation>
+    </message>
+    <message>
+        <source>the setting {key} where the axis is rotary</source>
+        <translation>die Einstellung {key}, wenn es eine Drehachse ist</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>
@@ -11050,10 +11070,6 @@
         <translation>ein Eintrag {key}</translation>
     </message>
     <message>
-        <source>a text in quotation marks</source>
-        <translation>ein Text in Anführungszeichen</translation>
-    </message>
-    <message>
         <source>true or false</source>
         <translation>true oder false</translation>
     </message>
@@ -11172,6 +11188,14 @@
     <message>
         <source>delete one of the two</source>
         <translation>löschen Sie eine der beiden Angaben</translation>
+    </message>
+    <message>
+        <source>a text; write it in quotation marks</source>
+        <translation>ein Text; in Anführungszeichen schreiben</translation>
+    </message>
+    <message>
+        <source>a text; write {source} for the first source, {name} for an axis of that name</source>
+        <translation>ein Text; {source} für die erste Quelle oder {name} für eine Achse dieses Namens schreiben</translation>
     </message>
 </context>
 <context>
@@ -11697,14 +11721,6 @@
         <translation>Ausgelassen: was an Zielpositionen bleibt, ohne die die Tabelle gemacht wurde: {figure} {range}, Effektivwert {rms}, größter Wert {largest}. Von beiden Vorhersagen ist dies die glaubwürdige.</translation>
     </message>
     <message>
-        <source>Accuracy A of all values, with those that are left out: {before} before, {after} after.</source>
-        <translation>Genauigkeit A aus allen Werten, auch den ausgeschlossenen: {before} vorher, {after} nachher.</translation>
-    </message>
-    <message>
-        <source>Accuracy A of all values, with those that are left out: {before} before.</source>
-        <translation>Genauigkeit A aus allen Werten, auch den ausgeschlossenen: {before} vorher.</translation>
-    </message>
-    <message>
         <source>before, all values</source>
         <translation>vorher, alle Werte</translation>
     </message>
@@ -11731,6 +11747,14 @@
     <message>
         <source>{said} ({files})</source>
         <translation>{said} ({files})</translation>
+    </message>
+    <message>
+        <source>Accuracy {figure} of all values, with those that are left out: {before} before, {after} after.</source>
+        <translation>Genauigkeit {figure} aus allen Werten, auch den ausgeschlossenen: {before} vorher, {after} nachher.</translation>
+    </message>
+    <message>
+        <source>Accuracy {figure} of all values, with those that are left out: {before} before.</source>
+        <translation>Genauigkeit {figure} aus allen Werten, auch den ausgeschlossenen: {before} vorher.</translation>
     </message>
 </context>
 <context>
@@ -13243,10 +13267,6 @@
         <translation>Position</translation>
     </message>
     <message>
-        <source>Deviation</source>
-        <translation>Abweichung</translation>
-    </message>
-    <message>
         <source>up</source>
         <translation>aufwärts</translation>
     </message>
@@ -14193,10 +14213,6 @@
     <message>
         <source>Target</source>
         <translation>Zielposition</translation>
-    </message>
-    <message>
-        <source>Deviation</source>
-        <translation>Abweichung</translation>
     </message>
 </context>
 <context>
@@ -17961,6 +17977,10 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
         <source>Not as predicted: %3 is %1 after, and up to %2 is as predicted (1.2 times %3 held out, and what cannot be told).</source>
         <translation>Nicht wie vorhergesagt: %3 ist nachher %1, und bis %2 gilt als wie vorhergesagt (das 1,2-Fache von %3 ausgelassen, und was sich nicht sagen lässt).</translation>
     </message>
+    <message>
+        <source>Whether it is as predicted is open, since the targets are farther apart than before: %3 is %1 after, and up to %2 is as predicted.</source>
+        <translation>Ob es wie vorhergesagt ist, bleibt offen, da die Zielpositionen weiter auseinander liegen als vorher: %3 ist nachher %1, und bis %2 gilt als wie vorhergesagt.</translation>
+    </message>
 </context>
 <context>
     <name>axiscomp::ui::RecordActions</name>
@@ -18258,10 +18278,6 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
     <message>
         <source>Position</source>
         <translation>Position</translation>
-    </message>
-    <message>
-        <source>Deviation</source>
-        <translation>Abweichung</translation>
     </message>
     <message>
         <source>There is nothing to compare.</source>
@@ -19708,6 +19724,13 @@ B - A: %3</translation>
         <source>%1: %2</source>
         <comment>field and problem</comment>
         <translation>%1: %2</translation>
+    </message>
+</context>
+<context>
+    <name>axiscomp::ui::PlotStyle</name>
+    <message>
+        <source>Deviation</source>
+        <translation>Abweichung</translation>
     </message>
 </context>
 </TS>

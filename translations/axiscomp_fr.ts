@@ -8283,7 +8283,7 @@
     </message>
     <message>
         <source>the axis has the values of the record&apos;s table, {crc}, over other positions: write the record&apos;s table again (`axiscomp write --record`), or leave the record out</source>
-        <translation>l&apos;axe a les valeurs de la table de la fiche, {crc}, sur d&apos;autres positions&#xa0;: écrire de nouveau la table de la fiche (« axiscomp write --record ») ou omettre la fiche</translation>
+        <translation>l&apos;axe a les valeurs de la table de la fiche, {crc}, sur d&apos;autres positions&#xa0;: écrire de nouveau la table de la fiche («&#xa0;axiscomp write --record&#xa0;») ou omettre la fiche</translation>
     </message>
     <message>
         <source>The table stays, and {source} is a position of another axis: its values belong to positions of the axis itself. Write the table that was made for this source.</source>
@@ -8411,7 +8411,7 @@
     </message>
     <message>
         <source>the file says &quot;{note}&quot;, and another of its comments the serial number {serial}: a table is made of the measurement of one drive, so correct the wrong line, or leave it out</source>
-        <translation>le fichier indique « {note} », et un autre de ses commentaires le numéro de série {serial}&#xa0;: une table est établie d&apos;après la mesure d&apos;un seul variateur, donc corriger ou supprimer la ligne erronée</translation>
+        <translation>le fichier indique «&#xa0;{note}&#xa0;», et un autre de ses commentaires le numéro de série {serial}&#xa0;: une table est établie d&apos;après la mesure d&apos;un seul variateur, donc corriger ou supprimer la ligne erronée</translation>
     </message>
     <message>
         <source>the drive does not read the table in {slot} as the layout of the profile has it: of dimension {dimension} the drive shows {found} where the layout has {expected}. Compare {layout} in the profile with the drive&apos;s table file</source>
@@ -8831,7 +8831,27 @@
     </message>
     <message>
         <source>The open record will not note this write: {reason}.</source>
-        <translation>La fiche ouverte ne notera pas cette écriture : {reason}.</translation>
+        <translation>La fiche ouverte ne notera pas cette écriture&#xa0;: {reason}.</translation>
+    </message>
+    <message>
+        <source>nothing says for which measuring system of axis {axis} the table is: it is written for 0; the setting {key} states another one</source>
+        <translation>rien n&apos;indique pour quel système de mesure de l&apos;axe {axis} est la table&#xa0;: elle est écrite pour 0&#xa0;; le paramètre {key} en indique un autre</translation>
+    </message>
+    <message>
+        <source>a table for {element} alone</source>
+        <translation>une table pour {element} seulement</translation>
+    </message>
+    <message>
+        <source>CompPos and CompPos2 of the motor; the table is taken for both, and written for both</source>
+        <translation>CompPos et CompPos2 du moteur&#xa0;; la table est prise pour les deux, et écrite pour les deux</translation>
+    </message>
+    <message>
+        <source>axis {axis}, whose numbers are taken to be in mm</source>
+        <translation>axe {axis}, dont les nombres sont pris pour des mm</translation>
+    </message>
+    <message>
+        <source>the setting {key} where the axis is rotary</source>
+        <translation>le paramètre {key} si c&apos;est un axe rotatif</translation>
     </message>
 </context>
 <context>
@@ -11050,10 +11070,6 @@
         <translation>un élément {key}</translation>
     </message>
     <message>
-        <source>a text in quotation marks</source>
-        <translation>un texte entre guillemets</translation>
-    </message>
-    <message>
         <source>true or false</source>
         <translation>true ou false</translation>
     </message>
@@ -11172,6 +11188,14 @@
     <message>
         <source>delete one of the two</source>
         <translation>supprimer l&apos;un des deux</translation>
+    </message>
+    <message>
+        <source>a text; write it in quotation marks</source>
+        <translation>un texte&#xa0;; l&apos;écrire entre guillemets</translation>
+    </message>
+    <message>
+        <source>a text; write {source} for the first source, {name} for an axis of that name</source>
+        <translation>un texte&#xa0;; écrire {source} pour la première source, {name} pour un axe de ce nom</translation>
     </message>
 </context>
 <context>
@@ -11697,14 +11721,6 @@
         <translation>Hors ajustement&#xa0;: ce qui reste aux positions cibles sans lesquelles la table a été établie&#xa0;: {figure} {range}, RMS {rms}, maximum {largest}. Des deux prévisions, c&apos;est celle à laquelle se fier.</translation>
     </message>
     <message>
-        <source>Accuracy A of all values, with those that are left out: {before} before, {after} after.</source>
-        <translation>Exactitude A sur toutes les valeurs, y compris celles exclues&#xa0;: {before} avant, {after} après.</translation>
-    </message>
-    <message>
-        <source>Accuracy A of all values, with those that are left out: {before} before.</source>
-        <translation>Exactitude A sur toutes les valeurs, y compris celles exclues&#xa0;: {before} avant.</translation>
-    </message>
-    <message>
         <source>before, all values</source>
         <translation>avant, toutes les valeurs</translation>
     </message>
@@ -11731,6 +11747,14 @@
     <message>
         <source>{said} ({files})</source>
         <translation>{said} ({files})</translation>
+    </message>
+    <message>
+        <source>Accuracy {figure} of all values, with those that are left out: {before} before, {after} after.</source>
+        <translation>Exactitude {figure} sur toutes les valeurs, y compris celles exclues&#xa0;: {before} avant, {after} après.</translation>
+    </message>
+    <message>
+        <source>Accuracy {figure} of all values, with those that are left out: {before} before.</source>
+        <translation>Exactitude {figure} sur toutes les valeurs, y compris celles exclues&#xa0;: {before} avant.</translation>
     </message>
 </context>
 <context>
@@ -13243,10 +13267,6 @@
         <translation>Position</translation>
     </message>
     <message>
-        <source>Deviation</source>
-        <translation>Écart</translation>
-    </message>
-    <message>
         <source>up</source>
         <translation>sens positif</translation>
     </message>
@@ -14193,10 +14213,6 @@
     <message>
         <source>Target</source>
         <translation>Position cible</translation>
-    </message>
-    <message>
-        <source>Deviation</source>
-        <translation>Écart</translation>
     </message>
 </context>
 <context>
@@ -17961,6 +17977,10 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <source>Not as predicted: %3 is %1 after, and up to %2 is as predicted (1.2 times %3 held out, and what cannot be told).</source>
         <translation>Non conforme à la prévision&#xa0;: %3 vaut %1 après, et jusqu&apos;à %2 est conforme (1,2 fois %3 hors ajustement, et ce qui ne peut être déterminé).</translation>
     </message>
+    <message>
+        <source>Whether it is as predicted is open, since the targets are farther apart than before: %3 is %1 after, and up to %2 is as predicted.</source>
+        <translation>La conformité à la prévision reste ouverte, car les positions cibles sont plus espacées qu&apos;avant&#xa0;: %3 vaut %1 après, et jusqu&apos;à %2 est conforme.</translation>
+    </message>
 </context>
 <context>
     <name>axiscomp::ui::RecordActions</name>
@@ -18258,10 +18278,6 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     <message>
         <source>Position</source>
         <translation>Position</translation>
-    </message>
-    <message>
-        <source>Deviation</source>
-        <translation>Écart</translation>
     </message>
     <message>
         <source>There is nothing to compare.</source>
@@ -19708,6 +19724,13 @@ B - A&#xa0;: %3</translation>
         <source>%1: %2</source>
         <comment>field and problem</comment>
         <translation>%1&#xa0;: %2</translation>
+    </message>
+</context>
+<context>
+    <name>axiscomp::ui::PlotStyle</name>
+    <message>
+        <source>Deviation</source>
+        <translation>Écart</translation>
     </message>
 </context>
 </TS>

@@ -8791,6 +8791,26 @@
         <source>The open record will not note this write: {reason}.</source>
         <translation>開いている記録には、この書き込みは記されません：{reason}。</translation>
     </message>
+    <message>
+        <source>nothing says for which measuring system of axis {axis} the table is: it is written for 0; the setting {key} states another one</source>
+        <translation>テーブルが軸 {axis} のどの計測システムのものかどこにも書かれていません：0 として書き出します。設定 {key} で別の計測システムを指定できます</translation>
+    </message>
+    <message>
+        <source>a table for {element} alone</source>
+        <translation>{element} だけのテーブル</translation>
+    </message>
+    <message>
+        <source>CompPos and CompPos2 of the motor; the table is taken for both, and written for both</source>
+        <translation>モーターの CompPos と CompPos2。テーブルは両方のものとして扱われ、両方に書き出されます</translation>
+    </message>
+    <message>
+        <source>axis {axis}, whose numbers are taken to be in mm</source>
+        <translation>軸 {axis}（数値は mm とみなされます）</translation>
+    </message>
+    <message>
+        <source>the setting {key} where the axis is rotary</source>
+        <translation>回転軸であれば設定 {key}</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>
@@ -10999,10 +11019,6 @@
         <translation>エントリ {key}</translation>
     </message>
     <message>
-        <source>a text in quotation marks</source>
-        <translation>引用符で囲んだテキスト</translation>
-    </message>
-    <message>
         <source>true or false</source>
         <translation>true または false</translation>
     </message>
@@ -11121,6 +11137,14 @@
     <message>
         <source>delete one of the two</source>
         <translation>どちらか一方を削除してください</translation>
+    </message>
+    <message>
+        <source>a text; write it in quotation marks</source>
+        <translation>テキスト。引用符で囲んで書いてください</translation>
+    </message>
+    <message>
+        <source>a text; write {source} for the first source, {name} for an axis of that name</source>
+        <translation>テキスト。第 1 ソースなら {source}、その名前の軸なら {name} と書いてください</translation>
     </message>
 </context>
 <context>
@@ -11643,14 +11667,6 @@
         <translation>未使用点: テーブルの作成に使わなかった目標位置に残る誤差。{figure} {range}、rms {rms}、最大 {largest}。2 つの予測のうち、信頼できるのはこちらです。</translation>
     </message>
     <message>
-        <source>Accuracy A of all values, with those that are left out: {before} before, {after} after.</source>
-        <translation>除外したデータも含む全データの正確さ A: 補正前 {before}、補正後 {after}。</translation>
-    </message>
-    <message>
-        <source>Accuracy A of all values, with those that are left out: {before} before.</source>
-        <translation>除外したデータも含む全データの正確さ A: 補正前 {before}。</translation>
-    </message>
-    <message>
         <source>before, all values</source>
         <translation>補正前、全データ</translation>
     </message>
@@ -11677,6 +11693,14 @@
     <message>
         <source>{said} ({files})</source>
         <translation>{said} ({files})</translation>
+    </message>
+    <message>
+        <source>Accuracy {figure} of all values, with those that are left out: {before} before, {after} after.</source>
+        <translation>除外したデータも含む全データの正確さ {figure}: 補正前 {before}、補正後 {after}。</translation>
+    </message>
+    <message>
+        <source>Accuracy {figure} of all values, with those that are left out: {before} before.</source>
+        <translation>除外したデータも含む全データの正確さ {figure}: 補正前 {before}。</translation>
     </message>
 </context>
 <context>
@@ -13189,10 +13213,6 @@
         <translation>位置</translation>
     </message>
     <message>
-        <source>Deviation</source>
-        <translation>偏差</translation>
-    </message>
-    <message>
         <source>up</source>
         <translation>正方向</translation>
     </message>
@@ -14139,10 +14159,6 @@
     <message>
         <source>Target</source>
         <translation>目標位置</translation>
-    </message>
-    <message>
-        <source>Deviation</source>
-        <translation>偏差</translation>
     </message>
 </context>
 <context>
@@ -17907,6 +17923,10 @@ GNU General Public License バージョン 3 以降によるフリーソフト�
         <source>Not as predicted: %3 is %1 after, and up to %2 is as predicted (1.2 times %3 held out, and what cannot be told).</source>
         <translation>予測と不一致: 補正後の %3 は %1 で、%2 以下なら予測どおりです (未使用点の %3 の 1.2 倍に、判別できない分を加えた値)。</translation>
     </message>
+    <message>
+        <source>Whether it is as predicted is open, since the targets are farther apart than before: %3 is %1 after, and up to %2 is as predicted.</source>
+        <translation>目標位置の間隔が補正前より広いため、予測どおりかどうかは判断できません。補正後の %3 は %1 で、%2 以下なら予測どおりです。</translation>
+    </message>
 </context>
 <context>
     <name>axiscomp::ui::RecordActions</name>
@@ -18204,10 +18224,6 @@ GNU General Public License バージョン 3 以降によるフリーソフト�
     <message>
         <source>Position</source>
         <translation>位置</translation>
-    </message>
-    <message>
-        <source>Deviation</source>
-        <translation>偏差</translation>
     </message>
     <message>
         <source>There is nothing to compare.</source>
@@ -19654,6 +19670,13 @@ B - A: %3</translation>
         <source>%1: %2</source>
         <comment>field and problem</comment>
         <translation>%1: %2</translation>
+    </message>
+</context>
+<context>
+    <name>axiscomp::ui::PlotStyle</name>
+    <message>
+        <source>Deviation</source>
+        <translation>偏差</translation>
     </message>
 </context>
 </TS>

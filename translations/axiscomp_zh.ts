@@ -8791,6 +8791,26 @@
         <source>The open record will not note this write: {reason}.</source>
         <translation>打开的档案不会记下这次写入：{reason}。</translation>
     </message>
+    <message>
+        <source>nothing says for which measuring system of axis {axis} the table is: it is written for 0; the setting {key} states another one</source>
+        <translation>未说明该表用于轴 {axis} 的哪个测量系统：按 0 写入；设置 {key} 可指定另一个</translation>
+    </message>
+    <message>
+        <source>a table for {element} alone</source>
+        <translation>仅用于 {element} 的表</translation>
+    </message>
+    <message>
+        <source>CompPos and CompPos2 of the motor; the table is taken for both, and written for both</source>
+        <translation>电机的 CompPos 和 CompPos2；该表视为用于两者，并按两者写入</translation>
+    </message>
+    <message>
+        <source>axis {axis}, whose numbers are taken to be in mm</source>
+        <translation>轴 {axis}，其数值按 mm 处理</translation>
+    </message>
+    <message>
+        <source>the setting {key} where the axis is rotary</source>
+        <translation>若为旋转轴，则给出设置 {key}</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>
@@ -10999,10 +11019,6 @@
         <translation>条目 {key}</translation>
     </message>
     <message>
-        <source>a text in quotation marks</source>
-        <translation>引号中的文本</translation>
-    </message>
-    <message>
         <source>true or false</source>
         <translation>true 或 false</translation>
     </message>
@@ -11121,6 +11137,14 @@
     <message>
         <source>delete one of the two</source>
         <translation>删除两者之一</translation>
+    </message>
+    <message>
+        <source>a text; write it in quotation marks</source>
+        <translation>文本；请写在引号中</translation>
+    </message>
+    <message>
+        <source>a text; write {source} for the first source, {name} for an axis of that name</source>
+        <translation>文本；第一个源写 {source}，该名称的轴写 {name}</translation>
     </message>
 </context>
 <context>
@@ -11643,14 +11667,6 @@
         <translation>留出：未用于生成表的目标位置上的残余误差：{figure} {range}，均方根 {rms}，最大 {largest}。两种预测中以此为准。</translation>
     </message>
     <message>
-        <source>Accuracy A of all values, with those that are left out: {before} before, {after} after.</source>
-        <translation>按所有值（含已排除的值）计算的定位精度 A：补偿前 {before}，补偿后 {after}。</translation>
-    </message>
-    <message>
-        <source>Accuracy A of all values, with those that are left out: {before} before.</source>
-        <translation>按所有值（含已排除的值）计算的定位精度 A：补偿前 {before}。</translation>
-    </message>
-    <message>
         <source>before, all values</source>
         <translation>补偿前，所有值</translation>
     </message>
@@ -11677,6 +11693,14 @@
     <message>
         <source>{said} ({files})</source>
         <translation>{said}（{files}）</translation>
+    </message>
+    <message>
+        <source>Accuracy {figure} of all values, with those that are left out: {before} before, {after} after.</source>
+        <translation>按所有值（含已排除的值）计算的定位精度 {figure}：补偿前 {before}，补偿后 {after}。</translation>
+    </message>
+    <message>
+        <source>Accuracy {figure} of all values, with those that are left out: {before} before.</source>
+        <translation>按所有值（含已排除的值）计算的定位精度 {figure}：补偿前 {before}。</translation>
     </message>
 </context>
 <context>
@@ -13189,10 +13213,6 @@
         <translation>位置</translation>
     </message>
     <message>
-        <source>Deviation</source>
-        <translation>偏差</translation>
-    </message>
-    <message>
         <source>up</source>
         <translation>正向</translation>
     </message>
@@ -14139,10 +14159,6 @@
     <message>
         <source>Target</source>
         <translation>目标位置</translation>
-    </message>
-    <message>
-        <source>Deviation</source>
-        <translation>偏差</translation>
     </message>
 </context>
 <context>
@@ -17907,6 +17923,10 @@ Free software under the GNU General Public License, version 3 or later.</source>
         <source>Not as predicted: %3 is %1 after, and up to %2 is as predicted (1.2 times %3 held out, and what cannot be told).</source>
         <translation>与预测不符：补偿后 %3 为 %1，不超过 %2 才为相符（留出 %3 的 1.2 倍，加上无法分辨的部分）。</translation>
     </message>
+    <message>
+        <source>Whether it is as predicted is open, since the targets are farther apart than before: %3 is %1 after, and up to %2 is as predicted.</source>
+        <translation>由于目标位置的间距比补偿前大，无法判断是否与预测相符：补偿后 %3 为 %1，不超过 %2 即为相符。</translation>
+    </message>
 </context>
 <context>
     <name>axiscomp::ui::RecordActions</name>
@@ -18204,10 +18224,6 @@ Free software under the GNU General Public License, version 3 or later.</source>
     <message>
         <source>Position</source>
         <translation>位置</translation>
-    </message>
-    <message>
-        <source>Deviation</source>
-        <translation>偏差</translation>
     </message>
     <message>
         <source>There is nothing to compare.</source>
@@ -19654,6 +19670,13 @@ B - A: %3</translation>
         <source>%1: %2</source>
         <comment>field and problem</comment>
         <translation>%1：%2</translation>
+    </message>
+</context>
+<context>
+    <name>axiscomp::ui::PlotStyle</name>
+    <message>
+        <source>Deviation</source>
+        <translation>偏差</translation>
     </message>
 </context>
 </TS>

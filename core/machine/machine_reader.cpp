@@ -164,7 +164,7 @@ public:
         wrong(*node,
             text
                 ? AXISCOMP_TEXT("Problem", "a text that is not empty and has no control characters")
-                : AXISCOMP_TEXT("Problem", "a text, which stands in quotation marks in the file"));
+                : AXISCOMP_TEXT("Problem", "a text; write it in quotation marks"));
         return std::nullopt;
     }
     [[nodiscard]] std::string text(std::string_view key)
@@ -263,8 +263,7 @@ std::string targetOf(Entries& entries)
         return entries.textOf(node).value_or(std::string());
     entries.wrong(*node,
         AXISCOMP_TEXT("Problem",
-            "a text, which stands in quotation marks in the file: {source} for the first source, "
-            "{name} for an axis of that name")
+            "a text; write {source} for the first source, {name} for an axis of that name")
             .with("source", Verbatim{"\"#1\""})
             .with("name", Verbatim{'"' + std::to_string(*number) + '"'}));
     return {};

@@ -188,13 +188,12 @@ private Q_SLOTS:
         QTest::newRow("active without a table")
             << withAxis("axis = \"X\"\nno-table = true\nactive = true\n")
             << lines({"8:10 Contradiction active of an axis without a table|"});
-        QTest::newRow("a number for a text")
-            << withAxis(axisX + "slot = 1\n")
-            << lines({"9:8 Syntax 1|a text, which stands in quotation marks in the file"});
+        QTest::newRow("a number for a text") << withAxis(
+            axisX + "slot = 1\n") << lines({"9:8 Syntax 1|a text; write it in quotation marks"});
         QTest::newRow("a number for a target")
             << withAxis(axisX + "target = 2\n")
-            << lines({"9:10 Syntax 2|a text, which stands in quotation marks in the file: \"#1\" "
-                      "for the first source, \"2\" for an axis of that name"});
+            << lines({"9:10 Syntax 2|a text; write \"#1\" for the first source, "
+                      "\"2\" for an axis of that name"});
         QTest::newRow("a whole version with decimals")
             << "version = 1.0\n" + withAxis(axisX).substr(12)
             << lines({"1:11 Syntax 1.0|1, the version of this format"});
