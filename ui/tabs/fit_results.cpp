@@ -197,8 +197,14 @@ void FitResults::fillRemarks()
     for (const Verdict& verdict : m_outcome->report->verdicts) {
         const auto shown = comparedTexts(verdict, isAngular);
         QString value = verdict.value ? shown.value : tr("not defined");
-        if (verdict.heldOut)
-            value = tr("%1, held out %2").arg(value, fineText(*verdict.heldOut, isAngular));
+        if (verdict.heldOut) {
+            const ComparedDigits heldOut =
+                heldOutDigits(verdict, isAngular, FineScale::usualDecimals);
+            value =
+                tr("%1, held out %2")
+                    .arg(value,
+                        FineScale(heldOut.value).textWithUnit(*verdict.heldOut, heldOut.decimals));
+        }
         addRemark(tr("%1: foretold %2, tolerance %3: %4.")
                       .arg(capital(translated(figureText(verdict.tolerance.figure))), value,
                           shown.limit, translated(verdictText(verdict.result))),

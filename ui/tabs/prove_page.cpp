@@ -119,8 +119,11 @@ std::pair<Tone, QString> promiseSentence(const ComparisonState& state)
         return {Tone::Warning, words.arg(found, limit, figure)};
     }
     const QString words = !comparison.isAsPredicted
-        ? ProvePage::tr("Whether it is as predicted is open, since less of the axis was measured: "
-                        "%3 is %1 after, and up to %2 is as predicted.")
+        ? (comparison.lesserRange
+                ? ProvePage::tr("Whether it is as predicted is open, since less of the axis was "
+                                "measured: %3 is %1 after, and up to %2 is as predicted.")
+                : ProvePage::tr("Whether it is as predicted is open, since the targets are farther "
+                                "apart than before: %3 is %1 after, and up to %2 is as predicted."))
         : *comparison.isAsPredicted
         ? ProvePage::tr("As predicted: %3 is %1 after, and up to %2 is as predicted (1.2 times %3 "
                         "held out, and what cannot be told).")

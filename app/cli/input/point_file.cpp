@@ -4,6 +4,7 @@
 #include "app/cli/input/table_input.h"
 #include "app/common/number_text.h"
 #include "app/common/standard_streams.h"
+#include "core/text/text_file.h"
 
 #include <algorithm>
 
@@ -96,6 +97,8 @@ private:
 
     Result<void> answerLine(std::string_view line, Json& results)
     {
+        if (m_line == 1 && isUtf16(line))
+            return wrong(1, "UTF-8 text", "UTF-16 text");
         const std::vector<Field> fields = splitFields(line);
         if (fields.size() != m_evaluation.dimensions)
             return wrong(1, plural(m_evaluation.dimensions, "number", "numbers"),

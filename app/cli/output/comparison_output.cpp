@@ -98,7 +98,9 @@ std::string promiseText(bool isAngular, const Comparison& comparison)
     const auto [value, limit] =
         comparedQuantities(spread, *comparison.largestAsPredicted, isAngular);
     const std::string result = !comparison.isAsPredicted
-        ? "Whether it is as predicted is open, since less of the axis was measured: "
+        ? std::string("Whether it is as predicted is open, since ")
+            + (comparison.lesserRange ? "less of the axis was measured: "
+                                      : "its targets are farther apart than before: ")
         : *comparison.isAsPredicted ? "As predicted: "
                                     : "Not as predicted: ";
     return text + result + name + " is " + withUnit(value.digits, value.unit) + " after, and "

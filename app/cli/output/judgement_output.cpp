@@ -299,15 +299,19 @@ std::string verdictsText(const Measurement& measurement, const std::vector<Verdi
         const auto text = [&shown](const FineUnit& unit, double value) {
             return withUnit(unit.digits(value, shown.decimals), unit.name);
         };
+        std::string result(verdictText(verdict.result).words);
+        if (verdict.heldOut) {
+            const ComparedDigits heldOut = heldOutDigits(verdict, measurement.isAngular, decimals);
+            result += ", held out "
+                + withUnit(
+                    heldOut.value.digits(*verdict.heldOut, heldOut.decimals), heldOut.value.name);
+        }
         table.add({figureText(verdict.tolerance.figure).words,
             verdict.value ? text(shown.value, *verdict.value) : "-",
             text(shown.limit, verdict.tolerance.value),
             verdict.uncertainty ? "U " + text(shown.uncertainty, *verdict.uncertainty)
                                 : "uncertainty not stated",
-            std::string(verdictText(verdict.result).words)
-                + (verdict.heldOut
-                        ? ", held out " + fineText(*verdict.heldOut, measurement.isAngular)
-                        : "")});
+            std::move(result)});
     }
     return "\n" + heading + "\n" + table.text();
 }

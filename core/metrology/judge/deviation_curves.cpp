@@ -74,13 +74,6 @@ void moveBy(std::optional<double>& deviation, double by)
         *deviation += by;
 }
 
-std::optional<double> meanInUse(const TargetFigures& target)
-{
-    if (target.mean)
-        return target.mean;
-    return target.up.mean ? target.up.mean : target.down.mean;
-}
-
 /// The values stand by direction, target and run.
 void addValues(DeviationCurves& curves, const Measurement& measurement)
 {

@@ -356,6 +356,13 @@ FigureValues figureValues(const Iso230Figures& figures)
     return result;
 }
 
+std::optional<double> meanInUse(const TargetFigures& target)
+{
+    if (target.mean)
+        return target.mean;
+    return target.up.mean ? target.up.mean : target.down.mean;
+}
+
 std::optional<double> standardError(const DirectionFigures& figures)
 {
     if (!figures.s)

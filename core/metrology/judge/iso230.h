@@ -110,6 +110,9 @@ struct FigureValues {
 };
 [[nodiscard]] FigureValues figureValues(const Iso230Figures& figures);
 
+/// The mean at a target: of both directions, or of the one that there is.
+[[nodiscard]] std::optional<double> meanInUse(const TargetFigures& target);
+
 /// Of a mean of one direction: s_i / sqrt(n_i). Nothing with a single value.
 [[nodiscard]] std::optional<double> standardError(const DirectionFigures& figures);
 /// Of the mean of both directions, or of the one that there is: half of the root of both squares.

@@ -225,6 +225,13 @@ ComparedDigits verdictDigits(const Verdict& verdict, bool isAngular, int decimal
     return comparedDigits(value, limit, isAngular, decimals, verdict.uncertainty.value_or(0.0));
 }
 
+ComparedDigits heldOutDigits(const Verdict& verdict, bool isAngular, int decimals)
+{
+    Verdict heldOut = verdict;
+    heldOut.value = verdict.heldOut;
+    return verdictDigits(heldOut, isAngular, decimals);
+}
+
 int verdictDecimals(
     std::initializer_list<const Verdict*> verdicts, const FineUnit& unit, int decimals)
 {

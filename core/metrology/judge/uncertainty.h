@@ -80,6 +80,8 @@ struct Verdict {
     double value, double tolerance, std::optional<double> uncertainty);
 /// How value, tolerance and U of a verdict are shown, so that they read as they were decided.
 [[nodiscard]] ComparedDigits verdictDigits(const Verdict& verdict, bool isAngular, int decimals);
+/// How its figure held out, which there is, is shown beside these: value and limit.
+[[nodiscard]] ComparedDigits heldOutDigits(const Verdict& verdict, bool isAngular, int decimals);
 /// In a table that has a unit for all: at least these, and as many more as the verdicts of a figure
 /// need. Null: there is none.
 [[nodiscard]] int verdictDecimals(

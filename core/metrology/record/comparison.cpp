@@ -231,23 +231,11 @@ std::string dateOfMeasurement(const RecordedMeasurement& recorded)
     return recorded.files.empty() ? std::string() : recorded.files.front().measurement.header.date;
 }
 
-/// The mean of both directions, or of the one that there is.
-RemainingError remainingAt(const TargetFigures& target)
-{
-    RemainingError error{target.position};
-    if (target.mean)
-        error.value = *target.mean;
-    else
-        error.value = target.up.mean ? *target.up.mean : target.down.mean.value_or(0.0);
-    error.standardError = standardError(target);
-    return error;
-}
-
 std::vector<RemainingError> remainingErrors(const Iso230Figures& figures)
 {
     std::vector<RemainingError> errors;
     for (const TargetFigures& target : figures.targets)
-        errors.push_back(remainingAt(target));
+        errors.push_back({target.position, meanInUse(target).value_or(0.0), standardError(target)});
     return errors;
 }
 

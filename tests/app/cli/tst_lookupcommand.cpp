@@ -243,6 +243,12 @@ private Q_SLOTS:
         QTest::newRow("word") << QByteArray("1 2\n3 x\n") << QByteArray("points.txt:2:3: error: ");
         QTest::newRow("too few") << QByteArray("1 2\n\n") << QByteArray("points.txt:2:1: error: ");
         QTest::newRow("too many") << QByteArray("1 2 3\n") << QByteArray("points.txt:1:1: error: ");
+        const QByteArray utf16("1\0 \0"
+                               "2\0\n\0",
+            8);
+        const QByteArray said = "points.txt:1:1: error: found UTF-16 text, expected UTF-8 text";
+        QTest::newRow("UTF-16") << "\xFF\xFE" + utf16 << said;
+        QTest::newRow("UTF-16 without a mark") << utf16 << said;
     }
     void aBadPointNamesItsPlace()
     {

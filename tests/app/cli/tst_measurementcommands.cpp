@@ -335,9 +335,15 @@ private Q_SLOTS:
         QVERIFY2(shorter.out.contains(ranges + "0 to 1 mm")
                 && shorter.err.contains(ranges + "0 to 1 mm"),
             shorter.out.constData());
-        QVERIFY2(
-            shorter.out.contains("Whether it is as predicted is open"), shorter.out.constData());
+        const QByteArray isOpen = "Whether it is as predicted is open, since ";
+        QVERIFY2(shorter.out.contains(isOpen + "less of the axis was measured: "),
+            shorter.out.constData());
         QVERIFY(!box.content("x.axcal").contains("asPredicted"));
+        const ProgramRun wider = box.run({"compare", box.file("wide.csv", over("0", "100")),
+            "--record", "x.axcal", "--measured-with", "on"});
+        VERIFY_CODE(wider, 0);
+        QVERIFY2(wider.out.contains(isOpen + "its targets are farther apart than before: "),
+            wider.out.constData());
         const ProgramRun far = box.run(QStringList{"compare", "far.csv"} + proof);
         VERIFY_CODE(far, 2);
         QVERIFY2(far.err.contains(ranges + "600 to 700 mm"), far.err.constData());

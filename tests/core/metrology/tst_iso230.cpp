@@ -242,6 +242,16 @@ private Q_SLOTS:
         QCOMPARE(value(figures, Figure::EUp), 4.0);
     }
 
+    void theMeanAtATargetIsThatOfTheDirectionsThatItHas()
+    {
+        const Iso230Figures figures = iso230Figures(
+            measured({{{{1.0, 3.0}, {3.0, 5.0}}}, {{{4.0, 6.0}, {}}}, {{{}, {7.0, 7.0}}}}));
+        QCOMPARE(meanInUse(figures.targets[0]), std::optional(3.0));
+        QCOMPARE(meanInUse(figures.targets[1]), std::optional(5.0));
+        QCOMPARE(meanInUse(figures.targets[2]), std::optional(7.0));
+        QVERIFY(!meanInUse({}));
+    }
+
     void excludedValuesAreLeftOut()
     {
         Measurement measurement = measurementOf("ess_mcu1025.csv");

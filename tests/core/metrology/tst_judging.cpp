@@ -753,6 +753,20 @@ private Q_SLOTS:
                 "of all values accuracy A is 204.759 um (tolerance 100.000 um: failed)"}));
     }
 
+    void whatIsHeldOutAboveTheToleranceReadsSo()
+    {
+        Verdict verdict{{Figure::M, 0.005}, 0.0, std::nullopt, VerdictResult::Undecided};
+        const auto shown = [&verdict](double heldOut) {
+            verdict.heldOut = heldOut;
+            const ComparedDigits digits = heldOutDigits(verdict, false, 3);
+            return digits.value.digits(heldOut, digits.decimals) + " " + digits.value.name;
+        };
+        QCOMPARE(shown(0.006), "6.000 um");
+        QCOMPARE(shown(0.0050004), "5.0004 um");
+        verdict.uncertainty = 0.0001;
+        QCOMPARE(shown(0.00490004), "4.90004 um");
+    }
+
     void aRowHasTheDigitsThatEachOfItsVerdictsNeeds()
     {
         const Verdict far{{Figure::E, 0.0105}, 0.005, std::nullopt};

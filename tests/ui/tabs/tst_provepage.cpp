@@ -255,6 +255,24 @@ private Q_SLOTS:
         QCOMPARE(bench.user.the<QTableView>("proveFigures").model()->rowCount(), 0);
     }
 
+    /// Three of the nine targets, and all of the travel.
+    void farTargetsAreNotCalledLessOfTheAxis()
+    {
+        PageFixture bench;
+        CalibrationRecord record = withTolerance(0.01);
+        QVERIFY(showProve(bench, record));
+        QByteArray after = "// compensation: " + test::stateOf(record)
+            + "\ntarget [mm],direction,run,deviation [um]\n";
+        for (const char* const run : {",+,1,0.1\n", ",+,2,0.2\n", ",-,1,0.1\n", ",-,2,0.2\n"})
+            after += QByteArray("-20") + run + "0" + run + "20" + run;
+        QVERIFY(addAfter(bench, after));
+        QVERIFY(hints(bench, QStringLiteral("Within the tolerances")));
+        const QString promise = bench.user.the<QLabel>("provePromise").text();
+        QVERIFY2(promise.startsWith(QStringLiteral("Whether it is as predicted is open, since the "
+                                                   "targets are farther apart than before: M is ")),
+            qPrintable(promise));
+    }
+
     /// Two of the nine targets: whatever the table does, its error over 40 mm is not seen.
     void overLessOfTheAxisNothingIsGreen()
     {
