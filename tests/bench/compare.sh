@@ -5,7 +5,8 @@
 # not installed is left out of them.
 #     tests/bench/compare.sh [--build FOLDER] [--peers FOLDER] [--rounds N] [ROW ...]
 #   --build   has bin/bench_* and the programs (build/release)
-#   --peers   where `npm install nodejs-polars @duckdb/node-api` was run
+#   --peers   where `npm install nodejs-polars @duckdb/node-api` was run; npm 11 wants polars' own part by its
+#             name, too: nodejs-polars-linux-x64-gnu
 #   --rounds  of each measurement, of which the best counts (7)
 #   ROW       a row by its name below; without one, all of them
 # A row is a function row_NAME; it calls `row` once for each line of the table that it prints.
@@ -21,7 +22,7 @@ while [ $# -gt 0 ]; do
     --build) build=$2; shift ;;
     --peers) peers=$2; shift ;;
     --rounds) rounds=$2; shift ;;
-    -*) sed -n '3,12s/^# \{0,1\}//p' "$0"; exit 2 ;;
+    -*) sed -n '3,13s/^# \{0,1\}//p' "$0"; exit 2 ;;
     *) rows+=("$1") ;;
     esac
     shift

@@ -3,6 +3,7 @@
 #include "core/text/number_parser.h"
 #include "core/text/number_text.h"
 #include "tests/support/test_registry.h"
+#include "tests/support/verify.h"
 
 #include <QTest>
 
