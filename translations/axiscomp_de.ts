@@ -8826,7 +8826,7 @@
         <translation>Einheiten der Tabelle von {axis}</translation>
     </message>
     <message>
-        <source>{file} is a measurement, not a table: make a table of it with &apos;axiscomp fit&apos; or on the pages Measure and Fit; if it is a table all the same, name its format</source>
+        <source>{file} is a measurement, not a table; make a table of it with &apos;axiscomp fit&apos; or on the pages Measure and Fit; if it is a table all the same, name its format</source>
         <translation>{file} ist eine Messung, keine Tabelle; mit „axiscomp fit“ oder auf den Seiten Messen und Anpassen eine Tabelle daraus machen; ist es doch eine Tabelle, deren Format angeben</translation>
     </message>
     <message>

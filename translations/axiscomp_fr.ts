@@ -8826,7 +8826,7 @@
         <translation>unités de la table de {axis}</translation>
     </message>
     <message>
-        <source>{file} is a measurement, not a table: make a table of it with &apos;axiscomp fit&apos; or on the pages Measure and Fit; if it is a table all the same, name its format</source>
+        <source>{file} is a measurement, not a table; make a table of it with &apos;axiscomp fit&apos; or on the pages Measure and Fit; if it is a table all the same, name its format</source>
         <translation>{file} est une mesure et non une table&#xa0;; en faire une table avec «&#xa0;axiscomp fit&#xa0;» ou sur les pages Mesurer et Ajuster&#xa0;; si c&apos;est tout de même une table, nommer son format</translation>
     </message>
     <message>

@@ -8784,7 +8784,7 @@
         <translation>{axis} のテーブルの単位</translation>
     </message>
     <message>
-        <source>{file} is a measurement, not a table: make a table of it with &apos;axiscomp fit&apos; or on the pages Measure and Fit; if it is a table all the same, name its format</source>
+        <source>{file} is a measurement, not a table; make a table of it with &apos;axiscomp fit&apos; or on the pages Measure and Fit; if it is a table all the same, name its format</source>
         <translation>{file} は測定であり、テーブルではありません。&apos;axiscomp fit&apos;、またはタブ「測定」と「フィッティング」でテーブルを作れます。それでもテーブルである場合は、その形式を指定してください</translation>
     </message>
     <message>

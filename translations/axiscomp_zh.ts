@@ -8784,7 +8784,7 @@
         <translation>{axis} 的表的单位</translation>
     </message>
     <message>
-        <source>{file} is a measurement, not a table: make a table of it with &apos;axiscomp fit&apos; or on the pages Measure and Fit; if it is a table all the same, name its format</source>
+        <source>{file} is a measurement, not a table; make a table of it with &apos;axiscomp fit&apos; or on the pages Measure and Fit; if it is a table all the same, name its format</source>
         <translation>{file} 是测量数据，不是表：用 &apos;axiscomp fit&apos;，或用“测量”和“拟合”选项卡由它生成表；如果它确实是表，请指明其格式</translation>
     </message>
     <message>

@@ -519,7 +519,7 @@ constexpr std::array variants{
             "file, say which column is what")},
     Variant{ErrorCode::UnknownFormat, "measured",
         AXISCOMP_TEXT("Error",
-            "{file} is a measurement, not a table: make a table of it with 'axiscomp fit' or on "
+            "{file} is a measurement, not a table; make a table of it with 'axiscomp fit' or on "
             "the pages Measure and Fit; if it is a table all the same, name its format")},
     Variant{ErrorCode::UnknownFormat, "written",
         AXISCOMP_TEXT("Error",

@@ -83,7 +83,7 @@ private Q_SLOTS:
             const ProgramRun refused = box.run(command, runs);
             QVERIFY2(refused.code != 0, qPrintable(command.join(u' ')));
             QVERIFY2(refused.err.contains("error: UnknownFormat: ")
-                    && refused.err.contains(" is a measurement, not a table: "),
+                    && refused.err.contains(" is a measurement, not a table; "),
                 refused.text().constData());
         }
         QVERIFY(!QFile::exists(box.path("x.TAMtbl")));

@@ -219,7 +219,7 @@ private Q_SLOTS:
                 const auto choice = chooseFormat(text, "m.csv", isCalibration);
                 VERIFY_ERROR(choice, ErrorCode::UnknownFormat);
                 const std::string said = sentence(choice.error());
-                QVERIFY2(said.starts_with("m.csv is a measurement, not a table: "), said.c_str());
+                QVERIFY2(said.starts_with("m.csv is a measurement, not a table; "), said.c_str());
             }
     }
 

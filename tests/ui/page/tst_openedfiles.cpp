@@ -116,8 +116,8 @@ private Q_SLOTS:
         QTRY_VERIFY(!bench.controller().dataFile().problems.empty());
         QVERIFY(!bench.controller().dataFile().data);
         const QString said = problemText(bench.controller().dataFile().problems.front());
-        QVERIFY2(said.startsWith(QStringLiteral("m.csv is a measurement, not a table: "))
-                && said.contains(QStringLiteral("the tabs Measure and Fit")),
+        QVERIFY2(said.contains(QStringLiteral("m.csv is a measurement, not a table; "))
+                && said.contains(QStringLiteral("the pages Measure and Fit")),
             qPrintable(said));
         QVERIFY(!bench.user.sees("importDialog"));
         QVERIFY(!bench.controller().action(Action::Write).isEnabled);
