@@ -352,7 +352,7 @@ private Q_SLOTS:
         QVERIFY(bench.open());
         QVERIFY(bench.user.click("openButton"));
         QTRY_VERIFY(bench.controller().selectedTable());
-        QVERIFY(openExport(bench, QStringLiteral("calibration file")));
+        QVERIFY(openExport(bench, QStringLiteral("calibration file: reference positions")));
         QTRY_VERIFY(mayAccept(bench));
         bench.picked = bench.path(QStringLiteral("out.csv"));
         QVERIFY(bench.user.click("acceptConversion"));
