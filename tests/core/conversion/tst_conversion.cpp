@@ -278,6 +278,19 @@ private Q_SLOTS:
         QVERIFY(imported(QStringLiteral("x.txt"), file, choices).data);
     }
 
+    void aMeasurementIsNotImportedUnlessItsFormatIsNamed()
+    {
+        const std::string_view runs =
+            "target [mm],direction,run,deviation [mm]\n0,1,1,0.001\n10,1,1,0.002\n20,1,1,0.003\n";
+        ImportChoices choices;
+        const TableImport refused = imported(QStringLiteral("m.csv"), runs, choices);
+        QVERIFY(refused.format == nullptr);
+        QVERIFY(!refused.data);
+        QCOMPARE(refused.problems.size(), std::size_t(1));
+        choices.format = &calibration_csv::format();
+        QVERIFY(imported(QStringLiteral("m.csv"), runs, choices).data);
+    }
+
     void whatAPersonSaysOfTheUnitsOfADrivesFileCounts()
     {
         CompensationTable table;
