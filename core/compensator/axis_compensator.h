@@ -19,10 +19,13 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 namespace axiscomp {
+
+struct AxisWrite;
 
 enum class Switch { Activate, Evaluate, Deactivate };
 
@@ -267,6 +270,8 @@ public:
         const JournalEntry& entry, const OperationOptions& options = {});
 
 private:
+    [[nodiscard]] Result<RestorePlan> planRestorations(const DriveBackup& backup,
+        std::span<const AxisWrite> writes, const OperationOptions& options);
     /// Files of slots that no axis uses are stored after the tables of the axes.
     [[nodiscard]] Result<std::vector<PlannedFile>> planFiles(const DriveBackup& backup,
         const std::vector<WritePlan>& plans, const OperationOptions& options);

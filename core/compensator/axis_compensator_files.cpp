@@ -181,9 +181,9 @@ Result<RestoreReport> AxisCompensator::restore(
     if (!lock)
         return fail(lock.error());
     // Nothing is begun that cannot be ended.
-    AXISCOMP_TRY(const auto plans, planRestore(backup, force, options));
     AXISCOMP_TRY(auto requests, restoreRequests(backup, force, options));
     const std::vector<AxisWrite> writes = writesOf(backup, std::move(requests));
+    AXISCOMP_TRY(const auto plans, planRestorations(backup, writes, options));
     const std::vector<AxisBackup::File> files = filesBesides(backup, plans.axes);
     std::size_t turn = 0;
     auto done = d->restoreAll(access, drive, writes, plans.axes, files, turn);
@@ -267,7 +267,12 @@ Result<RestorePlan> AxisCompensator::planRestore(
     const DriveBackup& backup, bool force, const OperationOptions& options)
 {
     AXISCOMP_TRY(auto requests, restoreRequests(backup, force, options));
-    const std::vector<AxisWrite> writes = writesOf(backup, std::move(requests));
+    return planRestorations(backup, writesOf(backup, std::move(requests)), options);
+}
+
+Result<RestorePlan> AxisCompensator::planRestorations(
+    const DriveBackup& backup, std::span<const AxisWrite> writes, const OperationOptions& options)
+{
     OperationOptions quiet = options;
     quiet.progress = {};
     AXISCOMP_TRY(auto plans, planMultiAxis(*this, writes, quiet));

@@ -129,7 +129,7 @@ void Import::chooseFormat()
     if (m_result.format != nullptr)
         return;
     const auto choice = axiscomp::chooseFormat(text, name, false);
-    if (!choice && choice.error().context.contains("measured"))
+    if (isOfMeasurement(choice))
         return problem(choice.error());
     // What nobody knows is read as a calibration file: its problems say what one looks like.
     m_result.format = choice ? choice->format : &calibration_csv::format();

@@ -206,6 +206,11 @@ Result<FormatChoice> chooseFormat(
         ErrorCode::FormatAmbiguous, {{"file", fileName}, {"candidates", formatNames(candidates)}});
 }
 
+bool isOfMeasurement(const Result<FormatChoice>& choice)
+{
+    return !choice && choice.error().context.contains("measured");
+}
+
 Result<const TableFormat*> outputFormat(const std::string& fileName, const std::string& formatName)
 {
     const auto named = formatName.empty() ? Result<const TableFormat*>(formatOfExtension(fileName))

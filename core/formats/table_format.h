@@ -188,6 +188,8 @@ struct FormatChoice {
 /// the candidates.
 [[nodiscard]] Result<FormatChoice> chooseFormat(
     std::string_view text, const std::string& fileName, bool isCalibration);
+/// Whether it refused a measurement, which is not read as a calibration file either.
+[[nodiscard]] bool isOfMeasurement(const Result<FormatChoice>& choice);
 
 /// The format to write a file in: by its name when one is given, else by the file's extension.
 /// Errors: UnknownFormat, FormatAmbiguous, InvalidArgument for one that cannot be written.

@@ -103,8 +103,7 @@ Result<const TableFormat*> recognisedFormat(
 {
     const auto choice =
         chooseFormat(beginningFor(options, piped), nameForFormat(options), options.dimensions != 0);
-    const bool isMeasurement = !choice && choice.error().context.contains("measured");
-    if (!choice && piped && !isMeasurement)
+    if (!choice && piped && !isOfMeasurement(choice))
         return &calibration_csv::format();
     if (!choice) {
         if (!piped)

@@ -67,6 +67,11 @@ struct Machine {
     }
 };
 
+MachineTable tableAtFirstSource(const MachineAxis& axis, const std::filesystem::path& folder)
+{
+    return readMachineTable(axis, folder, genericTableLayout(), AxisPlace{"#1", LookupAt::Encoder});
+}
+
 } // namespace
 
 /// What a machine file says, compared with a drive and brought there.
@@ -213,8 +218,7 @@ private Q_SLOTS:
             + test::masterX + "\"]\n";
         const auto read = [&folder](const std::string& text) {
             const MachineReading reading = readMachine(text);
-            return reading.machine ? readMachineTable(reading.machine->drives[0].axes[0], folder,
-                       genericTableLayout(), AxisPlace{"#1", LookupAt::Encoder})
+            return reading.machine ? tableAtFirstSource(reading.machine->drives[0].axes[0], folder)
                                    : MachineTable{};
         };
         const MachineTable refused = read(head);
@@ -246,8 +250,7 @@ private Q_SLOTS:
         const auto read = [&](const char* file, const char* column) {
             axis.file = file;
             axis.column = column;
-            return readMachineTable(
-                axis, folder, genericTableLayout(), AxisPlace{"#1", LookupAt::Encoder});
+            return tableAtFirstSource(axis, folder);
         };
         const std::vector<float> values{0.0F, 0.001F};
         for (const char* column : {"X1", "X1, encoder 0", "2", "#2"}) {
@@ -286,8 +289,7 @@ private Q_SLOTS:
         axis.sources = std::vector<std::string>{test::masterX};
         const auto read = [&](const char* column) {
             axis.column = column;
-            return readMachineTable(
-                axis, folder, genericTableLayout(), AxisPlace{"#1", LookupAt::Encoder});
+            return tableAtFirstSource(axis, folder);
         };
         const MachineTable refused = read("X1");
         QVERIFY2(refused.problem, "a table was taken of two that have the name");
@@ -386,8 +388,7 @@ private Q_SLOTS:
         axis.sources = std::vector<std::string>{test::masterX};
         const auto read = [&](const StatedUnits& stated) {
             axis.choices.units = stated;
-            return readMachineTable(
-                axis, folder, genericTableLayout(), AxisPlace{"#1", LookupAt::Encoder});
+            return tableAtFirstSource(axis, folder);
         };
         const MachineTable refused = read({.values = "um", .positions = "mm"});
         QVERIFY(!refused.table);

@@ -18,6 +18,7 @@ using namespace axiscomp;
 using namespace axiscomp::ui;
 using test::publicMeasurement;
 using test::settled;
+using test::writtenMeasurement;
 
 namespace {
 
@@ -142,14 +143,11 @@ private Q_SLOTS:
     void aFigureReadsAsItWasDecided()
     {
         QTemporaryDir folder;
-        QFile file(folder.filePath(QStringLiteral("near.csv")));
-        QVERIFY(file.open(QIODevice::WriteOnly));
-        file.write("target [mm],direction,run,deviation [um]\n0,+,1,0\n10,+,1,10.0004\n0,-,1,0\n"
-                   "10,-,1,0\n");
-        file.close();
         RecordModel record;
         FiguresModel model(record);
-        record.addFiles({file.fileName()});
+        record.addFiles({writtenMeasurement(folder, "near.csv",
+            "target [mm],direction,run,deviation [um]\n0,+,1,0\n10,+,1,10.0004\n0,-,1,0\n"
+            "10,-,1,0\n")});
         QVERIFY(settled(record));
         record.setTolerance(Iso230Figure::E, 0.01);
         QVERIFY(settled(record));
@@ -163,14 +161,11 @@ private Q_SLOTS:
     void aFigureThatIsNotDefinedSaysSo()
     {
         QTemporaryDir folder;
-        QFile file(folder.filePath(QStringLiteral("up.csv")));
-        QVERIFY(file.open(QIODevice::WriteOnly));
-        file.write("target [mm],direction,run,deviation [um]\n0,+,1,1\n10,+,1,2\n0,+,2,2\n"
-                   "10,+,2,2\n");
-        file.close();
         RecordModel record;
         FiguresModel model(record);
-        record.addFiles({file.fileName()});
+        record.addFiles({writtenMeasurement(folder, "up.csv",
+            "target [mm],direction,run,deviation [um]\n0,+,1,1\n10,+,1,2\n0,+,2,2\n"
+            "10,+,2,2\n")});
         QVERIFY(settled(record));
         record.setTolerance(Iso230Figure::A, 1.0);
         QVERIFY(settled(record));
@@ -183,22 +178,18 @@ private Q_SLOTS:
     void smallFiguresAreShownInNanometresAndAnglesInArcSeconds()
     {
         QTemporaryDir folder;
-        const auto write = [&](const char* name, const QByteArray& text) {
-            QFile file(folder.filePath(QLatin1StringView(name)));
-            return file.open(QIODevice::WriteOnly) && file.write(text) > 0 ? file.fileName()
-                                                                           : QString();
-        };
         const QByteArray rows = "0,+,1,10\n10,+,1,20\n0,+,2,12\n10,+,2,22\n0,-,1,5\n10,-,1,15\n"
                                 "0,-,2,5\n10,-,2,15\n";
         RecordModel record;
         FiguresModel model(record);
-        record.addFiles({write("nm.csv", "target [mm],direction,run,deviation [nm]\n" + rows)});
+        record.addFiles({writtenMeasurement(
+            folder, "nm.csv", "target [mm],direction,run,deviation [nm]\n" + rows)});
         QVERIFY(settled(record));
         QCOMPARE(heading(model, 2), QStringLiteral("Value [nm]"));
         QCOMPARE(text(model, rowOf(model, QStringLiteral("M")), 2), QStringLiteral("10.00"));
         record.removeFile(0);
-        record.addFiles(
-            {write("angle.csv", "target [deg],direction,run,deviation [arcsec]\n" + rows)});
+        record.addFiles({writtenMeasurement(
+            folder, "angle.csv", "target [deg],direction,run,deviation [arcsec]\n" + rows)});
         QVERIFY(settled(record));
         QCOMPARE(heading(model, 2), QStringLiteral("Value [″]"));
         QCOMPARE(text(model, rowOf(model, QStringLiteral("M")), 2), QStringLiteral("10.00"));

@@ -16,6 +16,7 @@ using namespace axiscomp;
 using namespace axiscomp::ui;
 using test::publicMeasurement;
 using test::settled;
+using test::writtenMeasurement;
 
 namespace {
 
@@ -84,14 +85,11 @@ private Q_SLOTS:
     void aTargetThatARunDoesNotHaveIsADash()
     {
         QTemporaryDir folder;
-        QFile file(folder.filePath(QStringLiteral("gap.csv")));
-        QVERIFY(file.open(QIODevice::WriteOnly));
-        file.write("target [mm],direction,run,deviation [um]\n"
-                   "0,+,1,1\n10,+,1,2\n20,+,1,3\n0,+,2,1\n20,+,2,-0.004\n");
-        file.close();
         RecordModel record;
         RunValuesModel model(record);
-        record.addFiles({file.fileName()});
+        record.addFiles({writtenMeasurement(folder, "gap.csv",
+            "target [mm],direction,run,deviation [um]\n"
+            "0,+,1,1\n10,+,1,2\n20,+,1,3\n0,+,2,1\n20,+,2,-0.004\n")});
         QVERIFY(settled(record));
         QCOMPARE(text(model, 1, 2), QStringLiteral("–"));
         QCOMPARE(text(model, 2, 2), QStringLiteral("0.00")); // not -0.00

@@ -13,6 +13,8 @@
 #include <QTableView>
 #include <QTest>
 
+#include <initializer_list>
+
 #include "ui/drawing/custom_plot.h"
 
 namespace tst_provepage {
@@ -71,6 +73,18 @@ QString text(PageFixture& bench, Iso230Figure figure, Column column)
     return QTest::qWaitFor(
         [&] { return bench.user.the<QLabel>("recordName").text() == QStringLiteral("x.axcal"); },
         test::patienceMs);
+}
+
+/// A second measurement with the table of the record, in two runs each way.
+QByteArray smallErrorsAt(
+    std::initializer_list<const char*> targets, const CalibrationRecord& record)
+{
+    QByteArray after = "// compensation: " + test::stateOf(record)
+        + "\ntarget [mm],direction,run,deviation [um]\n";
+    for (const char* const run : {",+,1,0.1\n", ",+,2,0.2\n", ",-,1,0.1\n", ",-,2,0.2\n"})
+        for (const char* const target : targets)
+            after += QByteArray(target) + run;
+    return after;
 }
 
 [[nodiscard]] bool addAfter(PageFixture& bench, const QByteArray& content)
@@ -261,11 +275,7 @@ private Q_SLOTS:
         PageFixture bench;
         CalibrationRecord record = withTolerance(0.01);
         QVERIFY(showProve(bench, record));
-        QByteArray after = "// compensation: " + test::stateOf(record)
-            + "\ntarget [mm],direction,run,deviation [um]\n";
-        for (const char* const run : {",+,1,0.1\n", ",+,2,0.2\n", ",-,1,0.1\n", ",-,2,0.2\n"})
-            after += QByteArray("-20") + run + "0" + run + "20" + run;
-        QVERIFY(addAfter(bench, after));
+        QVERIFY(addAfter(bench, smallErrorsAt({"-20", "0", "20"}, record)));
         QVERIFY(hints(bench, QStringLiteral("Within the tolerances")));
         const QString promise = bench.user.the<QLabel>("provePromise").text();
         QVERIFY2(promise.startsWith(QStringLiteral("Whether it is as predicted is open, since the "
@@ -279,11 +289,7 @@ private Q_SLOTS:
         PageFixture bench;
         CalibrationRecord record = withTolerance(0.01);
         QVERIFY(showProve(bench, record));
-        QByteArray after = "// compensation: " + test::stateOf(record)
-            + "\ntarget [mm],direction,run,deviation [um]\n";
-        for (const char* const run : {",+,1,0.1\n", ",+,2,0.2\n", ",-,1,0.1\n", ",-,2,0.2\n"})
-            after += QByteArray("0") + run + "5" + run;
-        QVERIFY(addAfter(bench, after));
+        QVERIFY(addAfter(bench, smallErrorsAt({"0", "5"}, record)));
         QVERIFY(hints(bench, QStringLiteral("Within the tolerances")));
         QVERIFY(bench.user.the<QLabel>("proveWarnings")
                     .text()
